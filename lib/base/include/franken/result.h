@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cassert>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace franken {
+
+/// What failed, where, and what to do about it. Made for whatever a user, a file or a device can cause;
+/// what only a bug can cause is asserted instead.
+struct Error {
+    std::string code;   ///< Stable, for programs: "permutation.unknown-word", "gltf.index-range", ...
+    std::string where;  ///< File and line, JSON path, device, or the offending word; may be empty.
+    std::string what;   ///< One sentence, for people.
+    std::string remedy; ///< What to do; may be empty.
+};
+
+/// "where: what (remedy) [code]", on one line.
+inline std::string toString(const Error& error) {
+    std::string text = error.where.empty() ? error.what : error.where + ": " + error.what;
+    if (!error.remedy.empty())
+        text += " (" + error.remedy + ")";
+    return text + " [" + error.code + "]";
+}
+
+/// A value or the reason why there is none. The names are those of C++23's std::expected, which the
+/// compilers of Debian 12 do not have yet, so that a later switch is a type alias.
+template <typename T>
+class [[nodiscard]] Result {
+public:
+    using value_type = T;
+
+    Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}
+    Result(Error error) : m_state(std::in_place_index<1>, std::move(error)) {}
+
+    bool has_value() const { return m_state.index() == 0; }
+    explicit operator bool() const { return has_value(); }
+
+    /// The value; calling it where has_value() is false is a bug.
+    T& value() & { return assert(has_value()), *std::get_if<0>(&m_state); }
+    const T& value() const& { return assert(has_value()), *std::get_if<0>(&m_state); }
+    T&& value() && { return assert(has_value()), std::move(*std::get_if<0>(&m_state)); }
+    T& operator*() & { return value(); }
+    const T& operator*() const& { return value(); }
+    T&& operator*() && { return std::move(*this).value(); }
+    T* operator->() { return &value(); }
+    const T* operator->() const { return &value(); }
+
+    /// The error; calling it where has_value() is true is a bug.
+    const Error& error() const& { return assert(!has_value()), *std::get_if<1>(&m_state); }
+    Error&& error() && { return assert(!has_value()), std::move(*std::get_if<1>(&m_state)); }
+
+private:
+    std::variant<T, Error> m_state;
+};
+
+/// Success without a value.
+template <>
+class [[nodiscard]] Result<void> {
+public:
+    Result() = default;
+    Result(Error error) : m_error(std::move(error)), m_failed(true) {}
+    bool has_value() const { return !m_failed; }
+    explicit operator bool() const { return has_value(); }
+    const Error& error() const { return assert(m_failed), m_error; }
+
+private:
+    Error m_error;
+    bool m_failed = false;
+};
+
+} // namespace franken
