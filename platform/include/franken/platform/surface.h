@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/log.h"
+#include "franken/result.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace franken::platform {
+
+/// From the full name of a GL function ("glClear") to its address, or null where there is none.
+using GetProcAddress = std::function<void*(const char* name)>;
+
+struct Size {
+    int width = 0;  ///< Pixels.
+    int height = 0; ///< Pixels.
+    bool operator==(const Size&) const = default;
+};
+
+/// Largest width and height that a surface is made with: 16384, the limit of Mesa's software drivers. A
+/// driver that has less refuses on its own.
+inline constexpr int kMaxSurfaceSize = 16384;
+
+/// A context that speaks GLES2, and the target that it draws to unless told otherwise: an image in memory
+/// now, a screen later. The target is RGBA8 with a depth buffer, without multisampling, row 0 at the bottom.
+///
+/// Surfaces of several backends can live in one process and take turns in one thread: makeCurrent() takes
+/// the thread away from whichever surface had it. A surface is used and destroyed by one thread at a time;
+/// it must not be current in another. Destroying it leaves the thread's other current surface, if any, as it
+/// was.
+///
+/// Everything about GL comes from getProcAddress(); no GL library is linked, and none must be (two drivers in
+/// one process export the same names). The addresses serve all surfaces of the same backend.
+class Surface {
+public:
+    Surface(const Surface&) = delete;
+    Surface& operator=(const Surface&) = delete;
+    virtual ~Surface() = default;
+
+    /// "osmesa" or "egl": what parseBackend() takes.
+    virtual std::string_view backend() const = 0;
+
+    /// What draws, as the driver puts it: GL_RENDERER and GL_VERSION, "softpipe, OpenGL ES 3.1 Mesa 22.3.6".
+    const std::string& driver() const { return m_driver; }
+
+    /// Size of the target. It can change in present(), and nowhere else (a screen that is plugged in).
+    Size size() const { return m_size; }
+
+    /// The GL name of the target's framebuffer: what to bind in order to draw to it. 0 for a target that the
+    /// window system owns, but not to be taken for granted.
+    unsigned framebuffer() const { return m_framebuffer; }
+
+    /// Whether the target encodes what is written to it (linear to sRGB), so that the shader must not.
+    bool srgbTarget() const { return m_srgbTarget; }
+
+    /// Where the functions come from; good for as long as the surface lives.
+    virtual GetProcAddress getProcAddress() const = 0;
+
+    /// Makes the context current in this thread. Fails with `surface.current` where another thread holds it.
+    Result<void> makeCurrent();
+
+    /// Ends the frame: waits for it, and shows it where there is a screen. The surface must be current; the
+    /// contents of the target are kept where it is an image in memory, and undefined on a screen. Fails with
+    /// `surface.lost` when the context and all its GL objects are gone: make a new surface and rebuild them.
+    virtual Result<void> present() = 0;
+
+protected:
+    explicit Surface(Size size) : m_size(size) {}
+
+    /// The backend's part of makeCurrent(), called with no other surface current in the thread.
+    virtual Result<void> bind() = 0;
+
+    /// Leaves the thread without a context.
+    virtual void unbind() = 0;
+
+    /// While one lives, no surface is current in the thread; then the one that was is so again, unless it is
+    /// the dying one. A backend's destructor wraps the driver's in it: a driver that destroys a context while
+    /// one of another driver is current takes that one for its own.
+    class Detached {
+    public:
+        explicit Detached(const Surface& dying);
+        Detached(const Detached&) = delete;
+        Detached& operator=(const Detached&) = delete;
+        ~Detached();
+
+    private:
+        Surface* m_previous;
+    };
+
+    /// makeCurrent(), then fills in driver(): the last step of opening a surface.
+    Result<void> makeReady();
+
+    Size m_size;
+    unsigned m_framebuffer = 0;
+    bool m_srgbTarget = false;
+    std::string m_driver;
+};
+
+struct SurfaceOptions {
+    Size size = {256, 256}; ///< Each 1 to kMaxSurfaceSize.
+    int depthBits = 24;     ///< At least so many, 0 to 32; 0 where no depth buffer is needed.
+    Log log = {};           ///< Told which driver was found.
+};
+
+/// Where a surface comes from.
+enum class Backend {
+    /// Mesa's software renderer into this process' memory: needs no device and no privilege. An OpenGL
+    /// compatibility context that takes GLES2 programs; what differs from GLES2 is noted in osmesa.cpp.
+    OsMesa,
+    /// A GLES2 context with a pbuffer, by EGL without a window system: a GPU's render node, or Mesa's
+    /// software
+    /// driver.
+    EglSurfaceless
+};
+
+/// "osmesa" or "egl".
+std::string_view toString(Backend backend);
+
+/// The inverse of toString(). Fails with `surface.backend`; the remedy lists the choices.
+Result<Backend> parseBackend(std::string_view text);
+
+/// Makes a surface of that backend, which is current afterwards. Fails with
+/// - `surface.options` for a size or depth out of range,
+/// - `surface.driver` where a library or driver is missing or refuses: it names the call, its error and the
+///   Debian packages that would help.
+///
+/// Which software rasteriser draws is Mesa's choice, through its environment: GALLIUM_DRIVER=softpipe or
+/// llvmpipe for both backends, LIBGL_ALWAYS_SOFTWARE=1 to keep EGL off a GPU. The variables are read once,
+/// when the first context of a backend is made.
+Result<std::unique_ptr<Surface>> create(Backend backend, const SurfaceOptions& options);
+
+} // namespace franken::platform
