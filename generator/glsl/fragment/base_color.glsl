@@ -1,0 +1,3 @@
+// Times the vertex colour, which is linear.
+//! main
+  base *= vColor;

@@ -1,0 +1,5 @@
+// Base colour by factor alone.
+//! declarations
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+//! main
+  vec4 base = uBaseColor;

@@ -1,0 +1,5 @@
+// Texture times factor.
+//! declarations
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+//! main
+  base *= uBaseColor;

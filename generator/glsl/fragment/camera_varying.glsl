@@ -1,0 +1,3 @@
+// Takes vToCamera from the vertex shader.
+//! declarations
+varying vec3 vToCamera;

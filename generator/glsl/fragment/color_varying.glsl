@@ -1,0 +1,3 @@
+// Takes vColor from the vertex shader.
+//! declarations
+varying vec4 vColor;

@@ -1,0 +1,3 @@
+// Takes vDirection from the vertex shader.
+//! declarations
+varying vec3 vDirection;

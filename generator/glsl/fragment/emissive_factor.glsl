@@ -1,0 +1,5 @@
+// Light of the surface's own.
+//! declarations
+uniform vec3 uEmissive; // material: linear radiance
+//! main
+  color += uEmissive;

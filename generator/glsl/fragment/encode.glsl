@@ -1,0 +1,3 @@
+// Once, at the end: the framebuffer does not do it.
+//! main
+  color = encodeDisplay(color);

@@ -1,0 +1,3 @@
+// Metalness, 0-1.
+//! main
+  float metallic = orm.b * uMetallicRoughness.x;

@@ -1,0 +1,13 @@
+// The normal map, out of tangent space. Texels hold 0.5 + 0.5 n; as the result is normalised, 0.5 n does.
+//! declarations
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+varying vec3 vTangent;
+varying vec3 vBitangent;
+//! functions
+// texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
+vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
+  vec3 n = texel - 0.5;
+  return normalize(tangent * n.x + bitangent * n.y + normal * n.z);
+}
+//! main
+  vec3 normal = mapNormal(texture2D(uNormalTexture, ${uv}).xyz, vTangent, vBitangent, vNormal);

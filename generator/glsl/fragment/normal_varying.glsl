@@ -1,0 +1,3 @@
+// Takes vNormal from the vertex shader.
+//! declarations
+varying vec3 vNormal;

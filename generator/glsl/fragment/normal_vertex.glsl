@@ -1,0 +1,3 @@
+// The interpolated normal, to unit length.
+//! main
+  vec3 normal = normalize(vNormal);

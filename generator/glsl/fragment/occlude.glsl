@@ -1,0 +1,3 @@
+// Occlusion dims ambient light only.
+//! main
+  diffuse *= occlusion;

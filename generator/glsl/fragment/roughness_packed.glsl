@@ -1,0 +1,3 @@
+// Perceptual roughness, 0-1.
+//! main
+  float roughness = orm.g * uMetallicRoughness.y;

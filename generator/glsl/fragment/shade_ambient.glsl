@@ -1,0 +1,3 @@
+// Ambient light alone.
+//! main
+  vec3 color = base.rgb * diffuse;

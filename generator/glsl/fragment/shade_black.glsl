@@ -1,0 +1,3 @@
+// Nothing lights this surface.
+//! main
+  vec3 color = vec3(0.0);

@@ -1,0 +1,3 @@
+// No light: the base colour is the picture.
+//! main
+  vec3 color = base.rgb;

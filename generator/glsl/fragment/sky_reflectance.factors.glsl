@@ -1,0 +1,3 @@
+// Metals do not scatter the sky's light.
+//! main
+  diffuse *= uReflectance.x;

@@ -1,0 +1,10 @@
+// Metalness and roughness by texture.
+//! functions
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
+Surface makeSurface(float metallic, float roughness) {
+  float alpha = max(roughness, 0.045) * max(roughness, 0.045);
+  float alpha2 = alpha * alpha;
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, alpha2, 1.0 - alpha2);
+}
+//! main
+  Surface surface = makeSurface(metallic, roughness);

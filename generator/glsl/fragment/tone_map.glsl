@@ -1,0 +1,3 @@
+// Once, after all lights are summed.
+//! main
+  color = toneMap(color);

@@ -1,0 +1,3 @@
+// Takes vUv0 from the vertex shader.
+//! declarations
+varying vec2 vUv0;

@@ -1,0 +1,3 @@
+// Takes vUv1 from the vertex shader.
+//! declarations
+varying vec2 vUv1;

@@ -1,0 +1,3 @@
+// The occlusion, to be looked at.
+//! main
+  vec3 color = vec3(occlusion);

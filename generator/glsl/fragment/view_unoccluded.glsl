@@ -1,0 +1,3 @@
+// No occlusion: white.
+//! main
+  vec3 color = vec3(1.0);

@@ -1,0 +1,3 @@
+// The pixel, to be blended over what is there; alpha is straight.
+//! main
+  gl_FragColor = vec4(color, base.a);

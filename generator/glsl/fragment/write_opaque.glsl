@@ -1,0 +1,3 @@
+// The pixel, opaque.
+//! main
+  gl_FragColor = vec4(color, 1.0);

@@ -1,0 +1,5 @@
+// Hands the normal to the fragment shader.
+//! declarations
+varying vec3 vNormal;
+//! main
+  vNormal = normal;

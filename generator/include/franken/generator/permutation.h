@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/result.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace franken {
+
+/// What a program draws.
+enum class Program : std::uint8_t {
+    Surface, ///< A model's surface.
+    Sky,     ///< The background: the sky's cube map, behind everything.
+    Overlay, ///< Text and pictures on top, in the display's own encoding: neither decoded nor lit.
+};
+
+/// Where metalness and roughness come from.
+enum class MetallicRoughness : std::uint8_t {
+    Factors,  ///< From uniforms alone.
+    Packed,   ///< glTF's texture: G is roughness, B is metalness; times the factors.
+    Separate, ///< Two textures, R of each; times the factors.
+};
+
+enum class Normal : std::uint8_t {
+    Vertex, ///< The interpolated vertex normal.
+    Map,    ///< A tangent-space normal map with a scale; needs tangents.
+};
+
+/// What dims the ambient light. It never dims suns and lamps (glTF 2.0, 3.9.3).
+enum class Occlusion : std::uint8_t {
+    None,
+    Texture, ///< R of a texture of its own.
+    Packed,  ///< R of the packed metallic-roughness texture: no second fetch.
+};
+
+enum class Emissive : std::uint8_t { None, Factor, Texture };
+
+enum class Alpha : std::uint8_t {
+    Opaque, ///< Alpha is ignored and written as 1.
+    Mask,   ///< Below the cutoff nothing is drawn; the rest is opaque.
+    Blend,  ///< Written as it is (not premultiplied), for source-over blending.
+};
+
+enum class Sides : std::uint8_t {
+    Single,
+    Double, ///< The normal is turned towards the viewer on back faces.
+};
+
+/// The two streams of texture coordinates.
+enum class UvStream : std::uint8_t { Uv0, Uv1 };
+
+enum class Shading : std::uint8_t {
+    Lit,
+    Unlit, ///< KHR_materials_unlit: base colour alone; not tone-mapped, still encoded.
+};
+
+/// The reflectance model of suns and lamps; all use the GGX distribution and Schlick's Fresnel term.
+enum class Brdf : std::uint8_t {
+    Gltf,    ///< glTF 2.0, appendix B: height-correlated Smith visibility.
+    Seed,    ///< Schlick-GGX with k = (roughness + 1)^2 / 8, denominator kept above 0.001.
+    Fast,    ///< Hammon 2017: visibility 0.5 / mix(2 nL nV, nL + nV, alpha).
+    Schlick, ///< Schlick-GGX with k = alpha / 2.
+};
+
+enum class Ambient : std::uint8_t {
+    None,
+    Color, ///< The same light from everywhere.
+    Sky,   ///< Irradiance of a sky, as nine spherical-harmonics coefficients.
+};
+
+/// Where the vectors between surface, eye and suns are computed. Lamps are always per pixel.
+enum class LightVectors : std::uint8_t {
+    PerPixel,  ///< Exact.
+    PerVertex, ///< Half vectors and Fresnel interpolated: cheaper, for finely tessellated meshes.
+};
+
+/// How base colour and emissive textures are brought to linear light.
+enum class Decode : std::uint8_t {
+    Exact, ///< The piecewise sRGB curve (IEC 61966-2-1).
+    Fast,  ///< A cubic through 0 and 1.
+    None,  ///< Texels are taken as linear, as the seed's program takes them.
+};
+
+enum class ToneMap : std::uint8_t {
+    None,     ///< Clipped at 1.
+    Reinhard, ///< c / (1 + c).
+    Aces,     ///< Narkowicz's fit of the ACES reference curve.
+    Neutral,  ///< Khronos PBR Neutral.
+};
+
+/// What the framebuffer receives.
+enum class Output : std::uint8_t {
+    Srgb,     ///< The piecewise sRGB curve.
+    SrgbFast, ///< Within one code of it from code 10 up.
+    Pow22,    ///< c^(1/2.2).
+    Linear,   ///< Not encoded: for a target that encodes by itself.
+};
+
+enum class Dither : std::uint8_t {
+    None,
+    Ordered, ///< A 4x4 Bayer pattern with an amplitude per channel: for 8-bit, 18-bit and 565 panels.
+};
+
+/// What is shown of a material, to look into it. All but Shaded and BaseColor show numbers unencoded.
+enum class View : std::uint8_t { Shaded, BaseColor, Normal, RoughnessMetallic, Occlusion };
+
+/// Which of several equal forms of a snippet is used.
+enum class Target : std::uint8_t { Generic, Vc4, V3d };
+
+/// Every choice that changes the text of a program, and nothing else. A default-constructed one is an
+/// opaque, untextured, unlit-by-anything surface; each member's first value is its default.
+struct Permutation {
+    static constexpr std::uint8_t kMaxLights = 4; ///< Suns, and lamps, in one program.
+
+    Program program = Program::Surface;
+
+    bool baseColorTexture = false;
+    bool vertexColor = false;
+    MetallicRoughness metallicRoughness = MetallicRoughness::Factors;
+    Normal normal = Normal::Vertex;
+    Occlusion occlusion = Occlusion::None;
+    Emissive emissive = Emissive::None;
+    Alpha alpha = Alpha::Opaque;
+    Sides sides = Sides::Single;
+
+    UvStream baseColorUv = UvStream::Uv0;
+    UvStream metallicRoughnessUv = UvStream::Uv0;
+    UvStream normalUv = UvStream::Uv0;
+    UvStream occlusionUv = UvStream::Uv0;
+    UvStream emissiveUv = UvStream::Uv0;
+    bool uv0Transform = false; ///< Stream 0 passes through a KHR_texture_transform matrix.
+    bool uv1Transform = false;
+
+    Shading shading = Shading::Lit;
+    Brdf brdf = Brdf::Gltf;
+    Ambient ambient = Ambient::None;
+    std::uint8_t suns = 0;   ///< Directional lights, 0 to kMaxLights.
+    std::uint8_t lamps = 0;  ///< Punctual lights with a position, 0 to kMaxLights.
+    bool spots = false;      ///< Lamps have cones; a point light's is the whole sphere.
+    LightVectors lightVectors = LightVectors::PerPixel;
+
+    Decode decode = Decode::Exact;
+    ToneMap toneMap = ToneMap::None;
+    Output output = Output::Srgb;
+    Dither dither = Dither::None;
+    View view = View::Shaded;
+
+    Target target = Target::Generic;
+    bool facingWorkaround = false; ///< Back faces are found by N.V: for drivers whose gl_FrontFacing lies.
+
+    friend bool operator==(const Permutation&, const Permutation&) = default;
+};
+
+/// The permutation packed into 64 bits, schema version included. For a canonical permutation: equal
+/// text, equal key.
+using Key = std::uint64_t;
+
+/// Changes whenever the meaning of a key's bits does; 0 is never used.
+inline constexpr unsigned kSchemaVersion = 1;
+
+/// Packs; any values of the members are allowed as long as they are in range (asserted).
+Key toKey(const Permutation& permutation);
+
+/// Unpacks. Fails with "permutation.schema" for another schema version and "permutation.key" where a bit
+/// pattern means nothing or a reserved bit is set.
+Result<Permutation> fromKey(Key key);
+
+enum class Stage : std::uint8_t { Vertex, Fragment };
+
+/// The permutation without the choices that leave this stage's text alone, packed: programs whose stage
+/// keys are equal share that stage's shader. An output choice never changes a vertex key.
+Key stageKey(const Permutation& permutation, Stage stage);
+
+/// The name: words for all choices that are not the default, material words joined by '.', the rest by
+/// '+', in the order of choices.h: "basecolor.normal+ambient+sun2". The default permutation is "surface".
+std::string toName(const Permutation& permutation);
+
+/// Reads a name; words may stand in any order and be separated by '.' or '+', defaults may be spelled
+/// out. Fails with "permutation.unknown-word" (the nearest word is offered) or "permutation.twice" where
+/// two words answer the same choice.
+Result<Permutation> parseName(std::string_view name);
+
+/// A choice that canonicalising put back to its default, because it changes nothing here.
+struct Dropped {
+    std::string word;   ///< As it stood in the name.
+    std::string reason; ///< One sentence.
+    friend bool operator==(const Dropped&, const Dropped&) = default;
+};
+
+struct Canonical {
+    Permutation permutation;
+    std::vector<Dropped> dropped;
+};
+
+/// Refuses contradictions ("permutation.contradiction") and drops no-ops. Idempotent. It never looks at a
+/// machine: whether a GPU can hold the program is budget.h's question.
+Result<Canonical> canonicalise(const Permutation& permutation);
+
+} // namespace franken

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "franken/generator/choices.h"
+
+#include <array>
+
+namespace franken {
+namespace {
+
+template <auto Member>
+constexpr Choice choice(std::string_view name, bool material, unsigned shift, unsigned bits,
+                        std::span<const Option> options) {
+    using Value = std::remove_cvref_t<decltype(std::declval<Permutation>().*Member)>;
+    return {name, material, shift, bits, options,
+            [](const Permutation& p) { return static_cast<unsigned>(p.*Member); },
+            [](Permutation& p, unsigned value) { p.*Member = static_cast<Value>(value); }};
+}
+
+constexpr Option kProgram[] = {{"surface", "a model's surface"},
+                               {"sky", "the background"},
+                               {"overlay", "text and pictures on top"}};
+constexpr Option kBaseColor[] = {{"basecolor-factor", "base colour: the factor"},
+                                 {"basecolor", "base colour: factor times texture"}};
+constexpr Option kVertexColor[] = {{"no-vertexcolor", "vertex colours are not used"},
+                                   {"vertexcolor", "base colour: times the vertex colour"}};
+constexpr Option kMetallicRoughness[] = {{"metalrough-factors", "metalness and roughness by factor"},
+                                         {"metalrough", "one texture: G roughness, B metalness"},
+                                         {"metalrough-separate", "two textures: R of each"}};
+constexpr Option kNormal[] = {{"normal-vertex", "vertex normals"}, {"normal", "a normal map with a scale"}};
+constexpr Option kOcclusion[] = {{"no-occlusion", "ambient light is not occluded"},
+                                 {"occlusion", "R of a texture of its own"},
+                                 {"occlusion-packed", "R of the packed metallic-roughness texture"}};
+constexpr Option kEmissive[] = {{"no-emissive", "nothing is emitted"},
+                                {"emissive-factor", "emission by factor"},
+                                {"emissive", "emission: factor times texture"}};
+constexpr Option kAlpha[] = {{"opaque", "alpha is ignored"},
+                             {"mask", "nothing is drawn below the cutoff"},
+                             {"blend", "alpha is written, for blending"}};
+constexpr Option kSides[] = {{"single", "front faces"}, {"double", "both faces; normals face the viewer"}};
+constexpr Option kBaseColorUv[] = {{"basecolor-uv0", "base colour reads stream 0"},
+                                   {"basecolor-uv1", "base colour reads stream 1"}};
+constexpr Option kMetallicRoughnessUv[] = {{"metalrough-uv0", "metalness and roughness read stream 0"},
+                                           {"metalrough-uv1", "metalness and roughness read stream 1"}};
+constexpr Option kNormalUv[] = {{"normal-uv0", "the normal map reads stream 0"},
+                                {"normal-uv1", "the normal map reads stream 1"}};
+constexpr Option kOcclusionUv[] = {{"occlusion-uv0", "occlusion reads stream 0"},
+                                   {"occlusion-uv1", "occlusion reads stream 1"}};
+constexpr Option kEmissiveUv[] = {{"emissive-uv0", "emission reads stream 0"},
+                                  {"emissive-uv1", "emission reads stream 1"}};
+constexpr Option kUv0Transform[] = {{"uv0-plain", "stream 0 as it is"},
+                                    {"uv0-transform", "stream 0 through a KHR_texture_transform matrix"}};
+constexpr Option kUv1Transform[] = {{"uv1-plain", "stream 1 as it is"},
+                                    {"uv1-transform", "stream 1 through a KHR_texture_transform matrix"}};
+constexpr Option kShading[] = {{"lit", "lit by ambient light, suns and lamps"},
+                               {"unlit", "base colour alone (KHR_materials_unlit)"}};
+constexpr Option kAmbient[] = {{"no-ambient", "no ambient light"},
+                               {"ambient", "one colour from everywhere"},
+                               {"sh", "a sky's irradiance, nine SH coefficients"}};
+constexpr Option kSuns[] = {{"sun0", "no sun"},
+                            {"sun1", "one sun"},
+                            {"sun2", "two suns"},
+                            {"sun3", "three suns"},
+                            {"sun4", "four suns"}};
+constexpr Option kLamps[] = {{"lamp0", "no lamp"},
+                             {"lamp1", "one lamp (a light with a position)"},
+                             {"lamp2", "two lamps"},
+                             {"lamp3", "three lamps"},
+                             {"lamp4", "four lamps"}};
+constexpr Option kSpots[] = {{"points", "lamps shine everywhere"}, {"spots", "lamps may have cones"}};
+constexpr Option kLightVectors[] = {{"pixellight", "light vectors per pixel, exact"},
+                                    {"vertexlight", "light vectors per vertex, cheaper"}};
+constexpr Option kBrdf[] = {{"gltf", "glTF 2.0, appendix B"},
+                            {"seed", "Schlick-GGX, k = (r+1)^2/8"},
+                            {"fast", "Hammon 2017"},
+                            {"schlick", "Schlick-GGX, k = alpha/2"}};
+constexpr Option kDecode[] = {{"decode-srgb", "textures decoded by the exact sRGB curve"},
+                              {"decode-fast", "textures decoded by a cubic"},
+                              {"decode-none", "textures taken as linear"}};
+constexpr Option kToneMap[] = {{"clip", "no tone map"},
+                               {"reinhard", "c / (1 + c)"},
+                               {"aces", "Narkowicz's fit of ACES"},
+                               {"neutral", "Khronos PBR Neutral"}};
+constexpr Option kOutput[] = {{"srgb", "encoded by the exact sRGB curve"},
+                              {"srgb-fast", "within one code of sRGB from code 10 up"},
+                              {"pow22", "encoded by c^(1/2.2)"},
+                              {"linear", "not encoded, for an sRGB target"}};
+constexpr Option kDither[] = {{"no-dither", "not dithered"}, {"dither", "ordered dither"}};
+constexpr Option kView[] = {{"shaded", "the picture"},
+                            {"view-basecolor", "the base colour"},
+                            {"view-normal", "the normal, 0.5 + 0.5 n"},
+                            {"view-metalrough", "G roughness, B metalness"},
+                            {"view-occlusion", "the occlusion"}};
+constexpr Option kTarget[] = {{"generic", "any GPU"},
+                              {"vc4", "forms that VideoCore IV runs best (Pi 0-3)"},
+                              {"v3d", "forms that VideoCore VI and VII run best (Pi 4, 5)"}};
+constexpr Option kFacing[] = {{"frontfacing", "gl_FrontFacing is trusted"},
+                              {"workaround-facing", "back faces are found by N.V"}};
+
+// Order of names. Shifts are part of the schema: append, never renumber.
+constexpr std::array kChoices = {
+    choice<&Permutation::program>("program", false, 0, 2, kProgram),
+    choice<&Permutation::baseColorTexture>("baseColorTexture", true, 2, 1, kBaseColor),
+    choice<&Permutation::vertexColor>("vertexColor", true, 3, 1, kVertexColor),
+    choice<&Permutation::metallicRoughness>("metallicRoughness", true, 4, 2, kMetallicRoughness),
+    choice<&Permutation::normal>("normal", true, 6, 1, kNormal),
+    choice<&Permutation::occlusion>("occlusion", true, 7, 2, kOcclusion),
+    choice<&Permutation::emissive>("emissive", true, 9, 2, kEmissive),
+    choice<&Permutation::alpha>("alpha", true, 11, 2, kAlpha),
+    choice<&Permutation::sides>("sides", true, 13, 1, kSides),
+    choice<&Permutation::baseColorUv>("baseColorUv", true, 14, 1, kBaseColorUv),
+    choice<&Permutation::metallicRoughnessUv>("metallicRoughnessUv", true, 15, 1, kMetallicRoughnessUv),
+    choice<&Permutation::normalUv>("normalUv", true, 16, 1, kNormalUv),
+    choice<&Permutation::occlusionUv>("occlusionUv", true, 17, 1, kOcclusionUv),
+    choice<&Permutation::emissiveUv>("emissiveUv", true, 18, 1, kEmissiveUv),
+    choice<&Permutation::uv0Transform>("uv0Transform", true, 19, 1, kUv0Transform),
+    choice<&Permutation::uv1Transform>("uv1Transform", true, 20, 1, kUv1Transform),
+    choice<&Permutation::shading>("shading", true, 21, 1, kShading),
+    choice<&Permutation::ambient>("ambient", false, 22, 2, kAmbient),
+    choice<&Permutation::suns>("suns", false, 24, 3, kSuns),
+    choice<&Permutation::lamps>("lamps", false, 27, 3, kLamps),
+    choice<&Permutation::spots>("spots", false, 30, 1, kSpots),
+    choice<&Permutation::lightVectors>("lightVectors", false, 31, 1, kLightVectors),
+    choice<&Permutation::brdf>("brdf", false, 32, 2, kBrdf),
+    choice<&Permutation::decode>("decode", false, 34, 2, kDecode),
+    choice<&Permutation::toneMap>("toneMap", false, 36, 2, kToneMap),
+    choice<&Permutation::output>("output", false, 38, 2, kOutput),
+    choice<&Permutation::dither>("dither", false, 40, 1, kDither),
+    choice<&Permutation::view>("view", false, 41, 3, kView),
+    choice<&Permutation::target>("target", false, 44, 2, kTarget),
+    choice<&Permutation::facingWorkaround>("facingWorkaround", false, 46, 1, kFacing),
+};
+
+constexpr ReservedBits kReserved[] = {
+    {"driver workarounds", 47, 3}, {"skinning", 50, 1},     {"morphs", 51, 1},
+    {"sun shadows", 52, 1},        {"sky specular", 53, 2}, {"spare", 55, 5},
+};
+
+} // namespace
+
+std::span<const Choice> choices() { return kChoices; }
+std::span<const ReservedBits> reservedBits() { return kReserved; }
+
+} // namespace franken
