@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+
+#include "franken/scene.h"
+
+namespace franken {
+
+/// Gives every triangle its own three vertices, with the triangle's own normal, as glTF 2.0 (3.7.2.1) asks
+/// where a file has no normals. Tangents of the file are dropped, as it asks too. Other attributes are kept.
+/// The normal of a triangle without area is +Z. Needs `positions` and `indices`.
+void computeFlatNormals(Primitive& primitive);
+
+/// Computes `tangents` by the method of MikkTSpace (M. Mikkelsen, "Simulation of Wrinkled Surfaces
+/// Revisited", 2008, and the reference code's documentation), which is what normal maps are baked against:
+///
+/// - vertices with equal position, normal and UV are one, whatever the indices say;
+/// - around such a vertex, triangles that are joined by edges and have the same UV orientation form a group;
+///   mirrored UVs never share one;
+/// - the tangent of a group is the mean of its triangles' dP/du, each projected on the vertex's plane,
+///   normalised, and weighted by the triangle's angle at the vertex (also measured in that plane);
+/// - triangles without area take the tangent of a neighbour; a vertex for which nothing is known gets any
+///   unit vector in its plane.
+///
+/// Where a vertex is in several groups, copies of it are appended. w is such that cross(N, T) * w points
+/// towards smaller v, which is up in the image: glTF's v grows downwards. (The reference code's splitting of
+/// a group by an angular threshold is left out: at its default of 180 degrees it does nothing.)
+///
+/// `uv` is what the normal map is sampled with, one for each vertex: the primitive's stream, after its
+/// KHR_texture_transform if it has one. Needs `positions`, `normals` and `indices`. All in float.
+void computeTangents(Primitive& primitive, std::span<const glm::vec2> uv);
+
+} // namespace franken
