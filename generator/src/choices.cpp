@@ -6,18 +6,21 @@
 namespace franken {
 namespace {
 
-template <auto Member>
+template<auto Member>
 constexpr Choice choice(std::string_view name, bool material, unsigned shift, unsigned bits,
                         std::span<const Option> options) {
     using Value = std::remove_cvref_t<decltype(std::declval<Permutation>().*Member)>;
-    return {name, material, shift, bits, options,
+    return {name,
+            material,
+            shift,
+            bits,
+            options,
             [](const Permutation& p) { return static_cast<unsigned>(p.*Member); },
             [](Permutation& p, unsigned value) { p.*Member = static_cast<Value>(value); }};
 }
 
-constexpr Option kProgram[] = {{"surface", "a model's surface"},
-                               {"sky", "the background"},
-                               {"overlay", "text and pictures on top"}};
+constexpr Option kProgram[] = {
+    {"surface", "a model's surface"}, {"sky", "the background"}, {"overlay", "text and pictures on top"}};
 constexpr Option kBaseColor[] = {{"basecolor-factor", "base colour: the factor"},
                                  {"basecolor", "base colour: factor times texture"}};
 constexpr Option kVertexColor[] = {{"no-vertexcolor", "vertex colours are not used"},

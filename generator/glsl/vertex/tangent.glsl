@@ -7,4 +7,4 @@ vec3 safeNormalize(vec3 v) {
   return v * inversesqrt(max(dot(v, v), 1.0e-12));
 }
 //! main
-  vec3 tangent = safeNormalize(mat3(uModel) * aTangent.xyz);
+  vec3 tangent = safeNormalize((uModel * vec4(aTangent.xyz, 0.0)).xyz);

@@ -137,9 +137,9 @@ struct Permutation {
     Shading shading = Shading::Lit;
     Brdf brdf = Brdf::Gltf;
     Ambient ambient = Ambient::None;
-    std::uint8_t suns = 0;   ///< Directional lights, 0 to kMaxLights.
-    std::uint8_t lamps = 0;  ///< Punctual lights with a position, 0 to kMaxLights.
-    bool spots = false;      ///< Lamps have cones; a point light's is the whole sphere.
+    std::uint8_t suns = 0;  ///< Directional lights, 0 to kMaxLights.
+    std::uint8_t lamps = 0; ///< Punctual lights with a position, 0 to kMaxLights.
+    bool spots = false;     ///< Lamps have cones; a point light's is the whole sphere.
     LightVectors lightVectors = LightVectors::PerPixel;
 
     Decode decode = Decode::Exact;

@@ -27,7 +27,7 @@ inline std::string toString(const Error& error) {
 
 /// A value or the reason why there is none. The names are those of C++23's std::expected, which the
 /// compilers of Debian 12 do not have yet, so that a later switch is a type alias.
-template <typename T>
+template<typename T>
 class [[nodiscard]] Result {
 public:
     using value_type = T;
@@ -57,7 +57,7 @@ private:
 };
 
 /// Success without a value.
-template <>
+template<>
 class [[nodiscard]] Result<void> {
 public:
     Result() = default;

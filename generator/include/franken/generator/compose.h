@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/interface.h"
+#include "franken/generator/permutation.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace franken {
+
+/// Where a line of a program came from.
+struct LineOrigin {
+    std::string_view snippet; ///< "fragment/gltf"; empty for lines that the composer wrote itself.
+    int line;                 ///< In generator/glsl/<snippet>.glsl, from 1.
+};
+
+/// One shader, ready for glShaderSource, and the origin of each of its lines. Drivers misreport #line, so
+/// the text holds none: look an error's line up here.
+struct ComposedStage {
+    std::string text;
+    std::vector<LineOrigin> lines; ///< lines[0] is line 1.
+};
+
+struct Composed {
+    ComposedStage vertex;
+    ComposedStage fragment;
+    Interface interface;
+};
+
+/// Writes the program of a canonical permutation (canonicalise first). Pure and deterministic: the same
+/// bytes on every machine, from any thread.
+Composed compose(const Permutation& permutation);
+
+/// Brings "<file>:<line>" information into a driver's log: each line number that the driver names gets the
+/// snippet's file and line appended. Knows the forms "0:12(5): ..." (Mesa) and "ERROR: 0:12: ..." (ANGLE,
+/// glslang).
+std::string annotateLog(std::string_view log, const ComposedStage& stage);
+
+} // namespace franken

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace franken {
+
+/// GLSL ES types that a program's interface uses.
+enum class Type : std::uint8_t { Float, Vec2, Vec3, Vec4, Mat3, Mat4, Sampler2D, SamplerCube };
+
+/// "vec3"
+std::string_view toGlsl(Type type);
+
+/// Floats in a value of that type: 9 for a mat3. 0 for samplers.
+int componentCount(Type type);
+
+/// How often a uniform changes, and so who uploads it.
+enum class Block : std::uint8_t {
+    Frame,    ///< With the camera and the target.
+    Lights,   ///< With suns, lamps, ambient light or exposure.
+    Material, ///< With the material.
+    Object,   ///< With every object drawn.
+};
+
+std::string_view toText(Block block);
+
+struct Attribute {
+    std::string name;
+    Type type;
+    int location; ///< Fixed per name over all programs; see attributeLocation.
+};
+
+struct Varying {
+    std::string name;
+    Type type;
+};
+
+struct Uniform {
+    std::string name;
+    Type type;
+    int count; ///< Array length; 1 for what is no array.
+    Block block;
+    bool vertex, fragment; ///< The stages that declare it.
+};
+
+struct Sampler {
+    std::string name;
+    Type type;
+    int unit; ///< Fixed per name over all programs; see samplerUnit.
+    Block block;
+};
+
+/// Everything that a program takes. The runtime is fed from it, so text and runtime cannot drift.
+struct Interface {
+    std::vector<Attribute> attributes;
+    std::vector<Varying> varyings;
+    std::vector<Uniform> uniforms;
+    std::vector<Sampler> samplers;
+};
+
+/// aPosition 0, aNormal 1, aTangent 2, aUv0 3, aUv1 4, aColor 5; 6 and 7 are kept for joints and weights.
+/// -1 for a name that is no attribute.
+int attributeLocation(std::string_view name);
+
+/// The texture unit of a sampler's role: base colour 0, normal 1, metallic-roughness (or metallic) 2,
+/// roughness 3, occlusion 4, emissive 5, sky 6, sky lookup 7. -1 for a name that is no sampler.
+int samplerUnit(std::string_view name);
+
+} // namespace franken

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "canonical.h"
+
+#include "franken/generator/choices.h"
+#include "recipe.h"
+
+#include <optional>
+
+namespace franken {
+namespace {
+
+// Resets, in the order of the table and until nothing changes, every choice without which `planOf` gives
+// the same plan. `drop` hears of each.
+template<typename PlanOf, typename Drop>
+Permutation reduce(Permutation permutation, PlanOf planOf, Drop drop) {
+    const std::vector<Step> wanted = planOf(permutation);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const Choice& choice : choices()) {
+            const unsigned value = choice.get(permutation);
+            if (value == 0)
+                continue;
+            Permutation without = permutation;
+            choice.set(without, 0);
+            if (planOf(without) != wanted)
+                continue;
+            drop(choice, value);
+            permutation = without;
+            changed = true;
+        }
+    }
+    return permutation;
+}
+
+std::string reasonFor(const Permutation& p, const Choice& choice) {
+    if (choice.name == "target")
+        return "no snippet of this program has a form of its own for that GPU";
+    if (p.program == Program::Sky)
+        return "the sky has no material and is lit by nothing";
+    if (p.program == Program::Overlay)
+        return "an overlay is drawn as it is";
+    if (p.view != View::Shaded)
+        return "the view of the material does not show it";
+    if (p.shading == Shading::Unlit)
+        return "an unlit surface shows its base colour alone";
+    if (choice.name == "lightVectors")
+        return p.lamps > 0 ? "lamps are lit per pixel, and suns beside them too" : "there is no sun";
+    if (p.suns + p.lamps == 0)
+        return p.ambient == Ambient::None ? "there is nothing to light it" : "there is no sun and no lamp";
+    return "no line of this program depends on it";
+}
+
+Error contradiction(const Choice& choice, const Permutation& p, std::string what, std::string remedy) {
+    return {"permutation.contradiction", std::string(choice.options[choice.get(p)].word), std::move(what),
+            std::move(remedy)};
+}
+
+const Choice& choiceNamed(std::string_view name) {
+    for (const Choice& choice : choices())
+        if (choice.name == name)
+            return choice;
+    return choices().front();
+}
+
+struct Rule {
+    std::string_view choice;
+    bool (*broken)(const Permutation&);
+    std::string_view what, remedy;
+};
+
+bool anyReads(const Permutation& p, UvStream stream) {
+    return (p.baseColorTexture && p.baseColorUv == stream) ||
+           (p.metallicRoughness != MetallicRoughness::Factors && p.metallicRoughnessUv == stream) ||
+           (p.normal == Normal::Map && p.normalUv == stream) ||
+           (p.occlusion == Occlusion::Texture && p.occlusionUv == stream) ||
+           (p.emissive == Emissive::Texture && p.emissiveUv == stream);
+}
+
+constexpr UvStream kUv1 = UvStream::Uv1;
+constexpr Rule kRules[] = {
+    {"occlusion",
+     [](const Permutation& p) {
+         return p.occlusion == Occlusion::Packed && p.metallicRoughness != MetallicRoughness::Packed;
+     },
+     "there is no packed metallic-roughness texture to take the occlusion from",
+     "add 'metalrough', or use 'occlusion' for a texture of its own"},
+    {"uv0Transform", [](const Permutation& p) { return p.uv0Transform && !anyReads(p, UvStream::Uv0); },
+     "no texture reads stream 0", "drop the word, or add the texture"},
+    {"uv1Transform", [](const Permutation& p) { return p.uv1Transform && !anyReads(p, kUv1); },
+     "no texture reads stream 1", "drop the word, or let a texture read stream 1"},
+    {"baseColorUv", [](const Permutation& p) { return p.baseColorUv == kUv1 && !p.baseColorTexture; },
+     "there is no base colour texture", "add 'basecolor', or drop the word"},
+    {"metallicRoughnessUv",
+     [](const Permutation& p) {
+         return p.metallicRoughnessUv == kUv1 && p.metallicRoughness == MetallicRoughness::Factors;
+     },
+     "there is no metallic-roughness texture", "add 'metalrough', or drop the word"},
+    {"normalUv", [](const Permutation& p) { return p.normalUv == kUv1 && p.normal != Normal::Map; },
+     "there is no normal map", "add 'normal', or drop the word"},
+    {"occlusionUv",
+     [](const Permutation& p) { return p.occlusionUv == kUv1 && p.occlusion != Occlusion::Texture; },
+     "there is no occlusion texture of its own", "add 'occlusion', or drop the word"},
+    {"emissiveUv",
+     [](const Permutation& p) { return p.emissiveUv == kUv1 && p.emissive != Emissive::Texture; },
+     "there is no emissive texture", "add 'emissive', or drop the word"},
+    {"spots", [](const Permutation& p) { return p.spots && p.lamps == 0; }, "there is no lamp",
+     "add 'lamp1', or drop the word"},
+};
+
+std::optional<Error> findContradiction(const Permutation& p) {
+    for (const Choice& choice : choices())
+        if (choice.get(p) >= choice.options.size())
+            return Error{"permutation.range", std::string(choice.name), "the value is out of range",
+                         "the largest is " + std::to_string(choice.options.size() - 1)};
+    for (const Rule& rule : kRules)
+        if (rule.broken(p))
+            return contradiction(choiceNamed(rule.choice), p, std::string(rule.what),
+                                 std::string(rule.remedy));
+    return std::nullopt;
+}
+
+} // namespace
+
+Result<Canonical> canonicalise(const Permutation& permutation) {
+    if (auto error = findContradiction(permutation))
+        return *error;
+    Canonical canonical;
+    canonical.permutation = reduce(
+        permutation, [](const Permutation& p) { return plan(p); },
+        [&](const Choice& choice, unsigned value) {
+            canonical.dropped.push_back(
+                {std::string(choice.options[value].word), reasonFor(permutation, choice)});
+        });
+    return canonical;
+}
+
+Permutation withoutNoOps(const Permutation& permutation, Stage stage) {
+    return reduce(
+        permutation, [stage](const Permutation& p) { return plan(p, stage); },
+        [](const Choice&, unsigned) {});
+}
+
+Key stageKey(const Permutation& permutation, Stage stage) { return toKey(withoutNoOps(permutation, stage)); }
+
+} // namespace franken

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "franken/generator/interface.h"
+
+#include <array>
+#include <utility>
+
+namespace franken {
+namespace {
+
+struct TypeRow {
+    std::string_view glsl;
+    int components;
+};
+constexpr std::array<TypeRow, 8> kTypes = {{{"float", 1},
+                                            {"vec2", 2},
+                                            {"vec3", 3},
+                                            {"vec4", 4},
+                                            {"mat3", 9},
+                                            {"mat4", 16},
+                                            {"sampler2D", 0},
+                                            {"samplerCube", 0}}};
+constexpr std::array<std::string_view, 4> kBlocks = {"frame", "lights", "material", "object"};
+
+using Slot = std::pair<std::string_view, int>;
+constexpr std::array<Slot, 6> kAttributes = {
+    {{"aPosition", 0}, {"aNormal", 1}, {"aTangent", 2}, {"aUv0", 3}, {"aUv1", 4}, {"aColor", 5}}};
+constexpr std::array<Slot, 8> kSamplers = {{{"uBaseColorTexture", 0},
+                                            {"uNormalTexture", 1},
+                                            {"uMetallicRoughnessTexture", 2},
+                                            {"uMetallicTexture", 2},
+                                            {"uRoughnessTexture", 3},
+                                            {"uOcclusionTexture", 4},
+                                            {"uEmissiveTexture", 5},
+                                            {"uSkyTexture", 6}}};
+
+template<std::size_t Size>
+int find(const std::array<Slot, Size>& slots, std::string_view name) {
+    for (const auto& [slotName, slot] : slots)
+        if (slotName == name)
+            return slot;
+    return -1;
+}
+
+} // namespace
+
+std::string_view toGlsl(Type type) { return kTypes[static_cast<std::size_t>(type)].glsl; }
+int componentCount(Type type) { return kTypes[static_cast<std::size_t>(type)].components; }
+std::string_view toText(Block block) { return kBlocks[static_cast<std::size_t>(block)]; }
+int attributeLocation(std::string_view name) { return find(kAttributes, name); }
+int samplerUnit(std::string_view name) { return find(kSamplers, name); }
+
+} // namespace franken

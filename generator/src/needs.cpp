@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "needs.h"
+
+namespace franken {
+namespace {
+
+bool reads(const Permutation& p, const Needs& n, UvStream stream) {
+    const bool packedOcclusion = n.occlusion && p.occlusion == Occlusion::Packed;
+    const bool metalRough = (n.textured && (n.metallic || n.roughness)) || packedOcclusion;
+    return (n.base && p.baseColorTexture && p.baseColorUv == stream) ||
+           (metalRough && p.metallicRoughnessUv == stream) ||
+           (n.normal && n.normalMap && p.normalUv == stream) ||
+           (n.occlusion && p.occlusion == Occlusion::Texture && p.occlusionUv == stream) ||
+           (n.emissive && p.emissive == Emissive::Texture && p.emissiveUv == stream);
+}
+
+void findLight(const Permutation& p, Needs& n) {
+    const bool lit = n.material && n.shaded && p.shading == Shading::Lit;
+    n.direct = lit && p.suns + p.lamps > 0;
+    n.ambient = lit && p.ambient != Ambient::None;
+    n.emissive = lit && p.emissive != Emissive::None;
+    n.occlusion = (n.ambient || (n.material && p.view == View::Occlusion)) && p.occlusion != Occlusion::None;
+    n.normal = n.direct || (n.ambient && p.ambient == Ambient::Sky) || (n.material && p.view == View::Normal);
+    n.normalMap = n.normal && p.normal == Normal::Map;
+    n.turned = n.normal && p.sides == Sides::Double;
+    n.vertexSuns = n.direct && p.lightVectors == LightVectors::PerVertex && p.lamps == 0;
+    const bool frameless = n.ambient && p.ambient == Ambient::Sky;
+    n.tangentSpace =
+        n.vertexSuns && n.normalMap && p.suns <= 2 && !frameless && !(n.turned && p.facingWorkaround);
+    n.toCamera = n.direct || (n.turned && p.facingWorkaround);
+}
+
+void findMaterial(const Permutation& p, Needs& n) {
+    const bool unlit = n.material && p.shading == Shading::Unlit && n.shaded;
+    const bool overlay = p.program == Program::Overlay;
+    const bool looked = n.material && p.view == View::BaseColor;
+    n.color = unlit || overlay || looked || n.direct || n.ambient;
+    n.base = n.color || (n.material && p.alpha != Alpha::Opaque);
+    const bool reflectance = n.direct || (n.ambient && p.ambient == Ambient::Sky);
+    n.metallic = reflectance || (n.material && p.view == View::RoughnessMetallic);
+    n.roughness = n.direct || (n.material && p.view == View::RoughnessMetallic);
+    n.textured = p.metallicRoughness != MetallicRoughness::Factors;
+}
+
+} // namespace
+
+Needs needsOf(const Permutation& p) {
+    Needs n{};
+    n.material = p.program == Program::Surface;
+    n.shaded = p.view == View::Shaded;
+    findLight(p, n);
+    findMaterial(p, n);
+    const bool textures = (n.color && p.baseColorTexture) || (n.emissive && p.emissive == Emissive::Texture);
+    const bool linearOverlay = p.program == Program::Overlay && p.output == Output::Linear;
+    n.decode = textures && p.decode != Decode::None && (n.material || linearOverlay);
+    const bool numbers = n.material && !n.shaded && p.view != View::BaseColor;
+    n.encode = p.output != Output::Linear && p.program != Program::Overlay && !numbers;
+    n.uv0 = reads(p, n, UvStream::Uv0);
+    n.uv1 = reads(p, n, UvStream::Uv1);
+    return n;
+}
+
+} // namespace franken

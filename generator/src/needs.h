@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/permutation.h"
+
+namespace franken {
+
+/// What follows from a permutation: the questions that more than one row of the recipe asks.
+struct Needs {
+    bool material;     ///< A surface, rather than the sky or an overlay.
+    bool shaded;       ///< The picture is wanted, not a look into the material.
+    bool direct;       ///< Suns or lamps shine.
+    bool ambient;      ///< Ambient light, of either kind.
+    bool color;        ///< The base colour's RGB is read.
+    bool base;         ///< The base colour's RGB or alpha is read.
+    bool normal;       ///< A normal per pixel.
+    bool normalMap;    ///< ... from a map.
+    bool tangentSpace; ///< Suns are brought into tangent space, per vertex.
+    bool vertexSuns;   ///< Suns' vectors come from the vertex shader.
+    bool turned;       ///< The normal is turned on back faces.
+    bool toCamera;     ///< The vector to the eye, per pixel.
+    bool metallic;     ///< Metalness.
+    bool roughness;    ///< Roughness.
+    bool textured;     ///< Metalness and roughness come from textures.
+    bool occlusion;
+    bool emissive;
+    bool decode;   ///< Textures are brought to linear light.
+    bool encode;   ///< The output is encoded.
+    bool uv0, uv1; ///< Streams that something reads.
+};
+
+Needs needsOf(const Permutation& permutation);
+
+} // namespace franken

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "recipe.h"
+
+#include <array>
+
+namespace franken {
+namespace {
+
+using P = const Permutation&;
+using N = const Needs&;
+constexpr Stage kVertex = Stage::Vertex;
+constexpr Stage kFragment = Stage::Fragment;
+
+bool pixelLight(N n) { return n.direct && !n.vertexSuns; }
+bool worldSuns(N n) { return n.vertexSuns && !n.tangentSpace; }
+bool frame(N n) { return n.normalMap && !n.tangentSpace; }
+bool packed(P p) { return p.metallicRoughness == MetallicRoughness::Packed; }
+bool separate(P p) { return p.metallicRoughness == MetallicRoughness::Separate; }
+bool looked(P p, N n) { return n.material && p.view == View::RoughnessMetallic; }
+bool factors(P p, N n) { return (n.textured && (n.metallic || n.roughness)) || looked(p, n); }
+bool reflectance(N n) { return n.material && n.shaded && n.metallic && !n.textured; }
+bool skyLit(P p, N n) { return n.ambient && p.ambient == Ambient::Sky; }
+bool lit(N n) { return n.direct || n.ambient; }
+bool unlit(P p, N n) { return n.material && n.shaded && p.shading == Shading::Unlit; }
+bool emissiveTexture(P p, N n) { return n.emissive && p.emissive == Emissive::Texture; }
+bool toneMapped(P p, N n) { return p.program == Program::Sky || lit(n) || n.emissive; }
+template<Brdf B>
+bool uses(P p, N n) {
+    return n.direct && p.brdf == B;
+}
+template<Brdf B>
+bool usesFactors(P p, N n) {
+    return uses<B>(p, n) && !n.textured;
+}
+template<Brdf B>
+bool usesTextures(P p, N n) {
+    return uses<B>(p, n) && n.textured;
+}
+template<ToneMap T>
+bool mapsBy(P p, N n) {
+    return p.toneMap == T && toneMapped(p, n);
+}
+template<Output O>
+bool encodesBy(P p, N n) {
+    return n.encode && p.output == O;
+}
+
+constexpr std::array kRecipe = {
+    Row{kVertex, "position", [](P p, N) { return p.program != Program::Sky; }},
+    Row{kVertex, "sky", [](P p, N) { return p.program == Program::Sky; }},
+    Row{kVertex, "uv0", [](P p, N n) { return n.uv0 && !p.uv0Transform; }},
+    Row{kVertex, "uv0_transform", [](P p, N n) { return n.uv0 && p.uv0Transform; }},
+    Row{kVertex, "uv1", [](P p, N n) { return n.uv1 && !p.uv1Transform; }},
+    Row{kVertex, "uv1_transform", [](P p, N n) { return n.uv1 && p.uv1Transform; }},
+    Row{kVertex, "color", [](P p, N n) { return n.base && p.vertexColor; }},
+    Row{kVertex, "normal", [](P, N n) { return n.normal; }},
+    Row{kVertex, "normal_varying", [](P, N n) { return n.normal && !n.tangentSpace; }},
+    Row{kVertex, "world", [](P, N n) { return n.toCamera; }},
+    Row{kVertex, "camera_varying", [](P, N n) { return n.toCamera && !n.vertexSuns; }},
+    Row{kVertex, "model", [](P, N n) { return n.normalMap && !n.toCamera; }},
+    Row{kVertex, "tangent", [](P, N n) { return n.normalMap; }},
+    Row{kVertex, "tangent_varying", [](P, N n) { return frame(n); }},
+    Row{kVertex, "tangent_frame", [](P, N n) { return n.tangentSpace; }},
+    Row{kVertex, "sun_tangent", [](P, N n) { return n.tangentSpace; }, Each::Sun},
+    Row{kVertex, "sun_angles", [](P, N n) { return worldSuns(n); }},
+    Row{kVertex, "sun_angle", [](P, N n) { return worldSuns(n); }, Each::Sun},
+    Row{kVertex, "sun_fresnel", [](P, N n) { return worldSuns(n); }},
+
+    Row{kFragment, "precision", [](P, N) { return true; }},
+    Row{kFragment, "uv0_varying", [](P, N n) { return n.uv0; }},
+    Row{kFragment, "uv1_varying", [](P, N n) { return n.uv1; }},
+    Row{kFragment, "color_varying", [](P p, N n) { return n.base && p.vertexColor; }},
+    Row{kFragment, "normal_varying", [](P, N n) { return n.normal && !n.tangentSpace; }},
+    Row{kFragment, "camera_varying", [](P, N n) { return n.toCamera && !n.vertexSuns; }},
+    Row{kFragment, "direction_varying", [](P p, N) { return p.program == Program::Sky; }},
+
+    Row{kFragment, "decode_exact", [](P p, N n) { return n.decode && p.decode == Decode::Exact; }},
+    Row{kFragment, "decode_fast", [](P p, N n) { return n.decode && p.decode == Decode::Fast; }},
+    Row{kFragment, "base_factor", [](P p, N n) { return n.base && !p.baseColorTexture; }},
+    Row{kFragment, "base_texture", [](P p, N n) { return n.base && p.baseColorTexture; }, Each::Once,
+        &Permutation::baseColorUv},
+    Row{kFragment, "base_decode", [](P p, N n) { return n.color && p.baseColorTexture && n.decode; }},
+    Row{kFragment, "base_tint", [](P p, N n) { return n.base && p.baseColorTexture; }},
+    Row{kFragment, "base_color", [](P p, N n) { return n.base && p.vertexColor; }},
+    Row{kFragment, "mask", [](P p, N n) { return n.material && p.alpha == Alpha::Mask; }},
+
+    Row{kFragment, "normal_vertex", [](P, N n) { return n.normal && !n.normalMap; }},
+    Row{kFragment, "normal_map", [](P, N n) { return frame(n); }, Each::Once, &Permutation::normalUv},
+    Row{kFragment, "normal_tangent", [](P, N n) { return n.tangentSpace; }, Each::Once,
+        &Permutation::normalUv},
+    Row{kFragment, "double_sided", [](P p, N n) { return n.turned && !p.facingWorkaround; }},
+    Row{kFragment, "double_sided.facing", [](P p, N n) { return n.turned && p.facingWorkaround; }},
+
+    Row{kFragment, "orm",
+        [](P p, N n) {
+            return packed(p) && (n.metallic || n.roughness || (n.occlusion && p.occlusion == Occlusion::Packed));
+        },
+        Each::Once, &Permutation::metallicRoughnessUv},
+    Row{kFragment, "metallic_roughness", [](P p, N n) { return factors(p, n); }},
+    Row{kFragment, "metallic_factor", [](P p, N n) { return looked(p, n) && !n.textured; }},
+    Row{kFragment, "metallic_packed", [](P p, N n) { return n.metallic && packed(p); }},
+    Row{kFragment, "metallic_separate", [](P p, N n) { return n.metallic && separate(p); }, Each::Once,
+        &Permutation::metallicRoughnessUv},
+    Row{kFragment, "roughness_factor", [](P p, N n) { return looked(p, n) && !n.textured; }},
+    Row{kFragment, "roughness_packed", [](P p, N n) { return n.roughness && packed(p); }},
+    Row{kFragment, "roughness_separate", [](P p, N n) { return n.roughness && separate(p); }, Each::Once,
+        &Permutation::metallicRoughnessUv},
+    Row{kFragment, "occlusion", [](P p, N n) { return n.occlusion && p.occlusion == Occlusion::Texture; },
+        Each::Once, &Permutation::occlusionUv},
+    Row{kFragment, "occlusion_packed",
+        [](P p, N n) { return n.occlusion && p.occlusion == Occlusion::Packed; }},
+
+    Row{kFragment, "gltf", uses<Brdf::Gltf>},
+    Row{kFragment, "seed", uses<Brdf::Seed>},
+    Row{kFragment, "fast", uses<Brdf::Fast>},
+    Row{kFragment, "schlick", uses<Brdf::Schlick>},
+    Row{kFragment, "reflectance_uniform", [](P, N n) { return reflectance(n); }},
+    Row{kFragment, "surface_gltf", usesFactors<Brdf::Gltf>},
+    Row{kFragment, "surface_gltf.texture", usesTextures<Brdf::Gltf>},
+    Row{kFragment, "surface_seed", usesFactors<Brdf::Seed>},
+    Row{kFragment, "surface_seed.texture", usesTextures<Brdf::Seed>},
+    Row{kFragment, "surface_fast", usesFactors<Brdf::Fast>},
+    Row{kFragment, "surface_fast.texture", usesTextures<Brdf::Fast>},
+    Row{kFragment, "surface_schlick", usesFactors<Brdf::Schlick>},
+    Row{kFragment, "surface_schlick.texture", usesTextures<Brdf::Schlick>},
+
+    Row{kFragment, "dark", [](P, N n) { return n.direct && !n.ambient; }},
+    Row{kFragment, "ambient_color", [](P p, N n) { return n.ambient && p.ambient == Ambient::Color; }},
+    Row{kFragment, "ambient_sky", skyLit},
+    Row{kFragment, "sky_reflectance.factors", [](P p, N n) { return skyLit(p, n) && !n.textured; }},
+    Row{kFragment, "sky_reflectance", [](P p, N n) { return skyLit(p, n) && n.textured; }},
+    Row{kFragment, "occlude", [](P, N n) { return n.ambient && n.occlusion; }},
+    Row{kFragment, "specular", [](P, N n) { return n.direct; }},
+    Row{kFragment, "eye", [](P, N n) { return pixelLight(n); }},
+    Row{kFragment, "angles", [](P, N n) { return pixelLight(n); }},
+    Row{kFragment, "sun_angles", [](P, N n) { return worldSuns(n); }},
+    Row{kFragment, "sun_tangent_varyings", [](P, N n) { return n.tangentSpace; }, Each::Sun},
+    Row{kFragment, "tangent_angles", [](P, N n) { return n.tangentSpace; }},
+    Row{kFragment, "sun", [](P, N n) { return pixelLight(n); }, Each::Sun},
+    Row{kFragment, "sun_vertex", [](P, N n) { return worldSuns(n); }, Each::Sun},
+    Row{kFragment, "sun_tangent", [](P, N n) { return n.tangentSpace; }, Each::Sun},
+    Row{kFragment, "lamp_point", [](P p, N n) { return n.direct && p.lamps > 0; }},
+    Row{kFragment, "lamp_cone", [](P p, N n) { return n.direct && p.lamps > 0 && p.spots; }},
+    Row{kFragment, "lamp", [](P, N n) { return n.direct; }, Each::Lamp},
+    Row{kFragment, "lamp_spot", [](P p, N n) { return n.direct && p.spots; }, Each::Lamp},
+    Row{kFragment, "lamp_add", [](P, N n) { return n.direct; }, Each::Lamp},
+
+    Row{kFragment, "shade", [](P, N n) { return n.direct; }},
+    Row{kFragment, "shade_ambient", [](P, N n) { return n.ambient && !n.direct; }},
+    Row{kFragment, "shade_unlit",
+        [](P p, N n) {
+            return unlit(p, n) || p.program == Program::Overlay || (n.material && p.view == View::BaseColor);
+        }},
+    Row{kFragment, "shade_black",
+        [](P p, N n) { return n.material && n.shaded && p.shading == Shading::Lit && !lit(n); }},
+    Row{kFragment, "shade_sky", [](P p, N) { return p.program == Program::Sky; }},
+    Row{kFragment, "view_normal", [](P p, N n) { return n.material && p.view == View::Normal; }},
+    Row{kFragment, "view_metallic_roughness", looked},
+    Row{kFragment, "view_occlusion",
+        [](P p, N n) { return n.material && p.view == View::Occlusion && n.occlusion; }},
+    Row{kFragment, "view_unoccluded",
+        [](P p, N n) { return n.material && p.view == View::Occlusion && !n.occlusion; }},
+    Row{kFragment, "emissive_factor", [](P p, N n) { return n.emissive && p.emissive == Emissive::Factor; }},
+    Row{kFragment, "emissive_texture", [](P p, N n) { return emissiveTexture(p, n) && n.decode; },
+        Each::Once, &Permutation::emissiveUv},
+    Row{kFragment, "emissive_texture_linear", [](P p, N n) { return emissiveTexture(p, n) && !n.decode; },
+        Each::Once, &Permutation::emissiveUv},
+
+    Row{kFragment, "tone_reinhard", mapsBy<ToneMap::Reinhard>},
+    Row{kFragment, "tone_aces", mapsBy<ToneMap::Aces>},
+    Row{kFragment, "tone_neutral", mapsBy<ToneMap::Neutral>},
+    Row{kFragment, "tone_map", [](P p, N n) { return p.toneMap != ToneMap::None && toneMapped(p, n); }},
+    Row{kFragment, "encode_srgb", encodesBy<Output::Srgb>},
+    Row{kFragment, "encode_srgb_fast", encodesBy<Output::SrgbFast>},
+    Row{kFragment, "encode_pow22", encodesBy<Output::Pow22>},
+    Row{kFragment, "encode", [](P, N n) { return n.encode; }},
+    Row{kFragment, "dither", [](P p, N) { return p.dither == Dither::Ordered; }},
+    Row{kFragment, "write_opaque",
+        [](P p, N) { return p.program == Program::Sky || p.alpha != Alpha::Blend; }},
+    Row{kFragment, "write_blend",
+        [](P p, N) { return p.program != Program::Sky && p.alpha == Alpha::Blend; }},
+};
+
+std::size_t count(const Permutation& p, Each each) {
+    return each == Each::Sun ? p.suns : each == Each::Lamp ? p.lamps : 1;
+}
+
+} // namespace
+
+std::span<const Row> recipe() { return kRecipe; }
+
+std::vector<Step> plan(const Permutation& p, Stage stage) {
+    const Needs needs = needsOf(p);
+    std::vector<Step> steps;
+    for (std::size_t begin = 0, end = 0; begin < kRecipe.size(); begin = end) {
+        const Each each = kRecipe[begin].each;
+        for (end = begin + 1; each != Each::Once && end < kRecipe.size() && kRecipe[end].each == each;)
+            ++end;
+        for (std::size_t light = 0; light < count(p, each); ++light)
+            for (std::size_t row = begin; row < end; ++row)
+                if (kRecipe[row].stage == stage && kRecipe[row].when(p, needs)) {
+                    const UvStream uv = kRecipe[row].uv ? p.*kRecipe[row].uv : UvStream::Uv0;
+                    steps.push_back({static_cast<std::uint8_t>(row), static_cast<std::uint8_t>(light), uv});
+                }
+    }
+    return steps;
+}
+
+std::vector<Step> plan(const Permutation& p) {
+    std::vector<Step> steps = plan(p, Stage::Vertex);
+    const std::vector<Step> fragment = plan(p, Stage::Fragment);
+    steps.insert(steps.end(), fragment.begin(), fragment.end());
+    return steps;
+}
+
+} // namespace franken

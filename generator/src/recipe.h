@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "needs.h"
+
+#include <span>
+#include <string_view>
+
+namespace franken {
+
+/// How often a row's snippet stands in the text. Neighbouring rows of the same kind repeat together.
+enum class Each : std::uint8_t { Once, Sun, Lamp };
+
+/// One row of the recipe: which snippet, in which stage, and when. The rows' order is that of the text.
+struct Row {
+    Stage stage;
+    std::string_view snippet; ///< File below glsl/<stage>/, without ".glsl".
+    bool (*when)(const Permutation&, const Needs&);
+    Each each = Each::Once;
+    UvStream Permutation::*uv = nullptr; ///< The stream that ${uv} stands for.
+};
+
+std::span<const Row> recipe();
+
+/// A row that applies, with what its placeholders stand for.
+struct Step {
+    std::uint8_t row;
+    std::uint8_t light; ///< Index of the sun or lamp.
+    UvStream uv;
+    friend bool operator==(const Step&, const Step&) = default;
+};
+
+/// A permutation's whole text in terms of the recipe, both stages. Equal plans are equal texts.
+std::vector<Step> plan(const Permutation& permutation);
+
+/// One stage's part of it.
+std::vector<Step> plan(const Permutation& permutation, Stage stage);
+
+} // namespace franken

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "snippet.h"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+namespace franken {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Placeholder>, 3> kPlaceholders = {
+    {{"light", Placeholder::Light}, {"lane", Placeholder::Lane}, {"uv", Placeholder::Uv}}};
+
+Error badLine(std::string_view file, int line, std::string what) {
+    return {"snippet.syntax", "generator/glsl/" + std::string(file) + ".glsl:" + std::to_string(line),
+            std::move(what), "see generator/README.md for the contract of a snippet"};
+}
+
+std::optional<Placeholder> findPlaceholder(std::string_view word) {
+    for (const auto& [name, placeholder] : kPlaceholders)
+        if (name == word)
+            return placeholder;
+    return std::nullopt;
+}
+
+std::optional<std::vector<Piece>> parsePieces(std::string_view text) {
+    std::vector<Piece> pieces;
+    while (true) {
+        const std::size_t open = text.find("${");
+        if (open == std::string_view::npos)
+            return pieces.push_back({text, Placeholder::None}), pieces;
+        const std::size_t close = text.find('}', open);
+        const auto placeholder = findPlaceholder(text.substr(open + 2, close - open - 2));
+        if (close == std::string_view::npos || !placeholder)
+            return std::nullopt;
+        pieces.push_back({text.substr(0, open), *placeholder});
+        text.remove_prefix(close + 1);
+    }
+}
+
+std::string_view takeWord(std::string_view& text) {
+    text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+    const std::string_view word = text.substr(0, text.find_first_of(" ;["));
+    text.remove_prefix(word.size());
+    return word;
+}
+
+std::optional<Type> findType(std::string_view word) {
+    for (int type = 0; type <= static_cast<int>(Type::SamplerCube); ++type)
+        if (toGlsl(static_cast<Type>(type)) == word)
+            return static_cast<Type>(type);
+    return std::nullopt;
+}
+
+std::optional<Block> findBlock(std::string_view comment) {
+    for (int block = 0; block <= static_cast<int>(Block::Object); ++block) {
+        const std::string_view name = toText(static_cast<Block>(block));
+        if (comment.starts_with(name) && comment.substr(name.size()).starts_with(':'))
+            return static_cast<Block>(block);
+    }
+    return std::nullopt;
+}
+
+std::optional<Declaration::Kind> findKind(std::string_view line) {
+    if (line.starts_with("attribute "))
+        return Declaration::Kind::Attribute;
+    if (line.starts_with("varying "))
+        return Declaration::Kind::Varying;
+    if (line.starts_with("uniform "))
+        return Declaration::Kind::Uniform;
+    return std::nullopt;
+}
+
+Result<Declaration> parseDeclaration(std::string_view line, Declaration::Kind kind, std::string_view file,
+                                     int number) {
+    std::string_view rest = line;
+    takeWord(rest);
+    std::string_view typeWord = takeWord(rest);
+    if (typeWord == "mediump")
+        typeWord = takeWord(rest);
+    const auto type = findType(typeWord);
+    const std::string_view name = takeWord(rest);
+    const auto pieces = parsePieces(name);
+    if (!type || name.empty() || !pieces)
+        return badLine(file, number, "a declaration needs a type and a name");
+    Declaration declaration{kind, *type, Block::Frame, 1, *pieces};
+    if (rest.starts_with('['))
+        declaration.count = rest[1] - '0';
+    if (kind == Declaration::Kind::Uniform) {
+        const std::size_t comment = rest.find("// ");
+        const auto block =
+            comment == std::string_view::npos ? std::nullopt : findBlock(rest.substr(comment + 3));
+        if (!block)
+            return badLine(file, number, "a uniform needs a comment '// block: meaning'");
+        declaration.block = *block;
+    }
+    return declaration;
+}
+
+std::vector<SnippetLine>* findSection(Snippet& snippet, std::string_view marker) {
+    if (marker == "//! declarations")
+        return &snippet.declarations;
+    if (marker == "//! functions")
+        return &snippet.functions;
+    return marker == "//! main" ? &snippet.main : nullptr;
+}
+
+Result<void> addLine(Snippet& snippet, std::vector<SnippetLine>& section, std::string_view line, int number) {
+    auto pieces = parsePieces(line);
+    if (!pieces)
+        return badLine(snippet.name, number, "the placeholders are ${light}, ${lane} and ${uv}");
+    section.push_back({std::move(*pieces), number});
+    const auto kind = &section == &snippet.declarations ? findKind(line) : std::nullopt;
+    if (!kind)
+        return {};
+    auto declaration = parseDeclaration(line, *kind, snippet.name, number);
+    if (!declaration)
+        return declaration.error();
+    snippet.interface.push_back(std::move(*declaration));
+    return {};
+}
+
+} // namespace
+
+Result<Snippet> parseSnippet(const SnippetFile& file) {
+    Snippet snippet{file.name, {}, {}, {}, {}};
+    std::vector<SnippetLine>* section = nullptr;
+    int number = 0;
+    for (std::string_view text = file.text; !text.empty();) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        ++number;
+        if (line.starts_with("//!")) {
+            section = findSection(snippet, line);
+            if (!section)
+                return badLine(file.name, number, "the sections are declarations, functions and main");
+        } else if (section) {
+            if (auto added = addLine(snippet, *section, line, number); !added)
+                return added.error();
+        } else if (!line.starts_with("//")) {
+            return badLine(file.name, number, "GLSL before the first section");
+        }
+    }
+    return snippet;
+}
+
+} // namespace franken

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/interface.h"
+#include "franken/result.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace franken {
+
+/// A file of GLSL as it was embedded or read.
+struct SnippetFile {
+    std::string_view name; ///< "fragment/gltf"
+    std::string_view text;
+};
+
+/// The files below generator/glsl, embedded by the build.
+std::span<const SnippetFile> embeddedSnippets();
+
+/// What ${...} in a line stands for.
+enum class Placeholder : std::uint8_t { None, Light, Lane, Uv };
+
+/// Literal text, then a placeholder.
+struct Piece {
+    std::string_view text;
+    Placeholder placeholder;
+};
+
+struct SnippetLine {
+    std::vector<Piece> pieces;
+    int number; ///< In the file, from 1.
+};
+
+/// "uniform vec3 uAmbient; // lights: linear radiance", taken apart. The name may hold placeholders.
+struct Declaration {
+    enum class Kind : std::uint8_t { Attribute, Varying, Uniform } kind;
+    Type type;
+    Block block;
+    int count; ///< Array length, 1 for what is none.
+    std::vector<Piece> name;
+};
+
+/// One parsed file: see generator/README.md for the contract.
+struct Snippet {
+    std::string_view name;
+    std::vector<SnippetLine> declarations, functions, main;
+    std::vector<Declaration> interface;
+};
+
+/// Parses a file; an error says file and line. The text must outlive the snippet.
+Result<Snippet> parseSnippet(const SnippetFile& file);
+
+} // namespace franken
