@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/interface.h"
+#include "franken/generator/permutation.h"
+
+#include <array>
+#include <string_view>
+
+namespace franken {
+
+// What uniforms alone decide is computed here, once, instead of in every fragment. The runtime, a foreign
+// engine and a web page call the same functions and so feed a program the same numbers. All blocks are
+// plain floats; fieldOffset() says where a uniform's value lies in its block.
+
+using Float2 = std::array<float, 2>;
+using Float3 = std::array<float, 3>;
+using Float4 = std::array<float, 4>;
+using Float9 = std::array<float, 9>;   ///< A mat3, column by column.
+using Float16 = std::array<float, 16>; ///< A mat4, column by column.
+
+/// Below this perceptual roughness a sun's mirror image is smaller than a pixel and float32 runs out of
+/// digits: alpha^2 = 0.045^4 = 4e-6. Filament keeps the same limit.
+inline constexpr float kMinRoughness = 0.045f;
+
+/// A glTF material's numbers, as they stand in the file; colours linear.
+struct MaterialFactors {
+    Float4 baseColor{1, 1, 1, 1};
+    float metallic = 1;          ///< 0-1
+    float roughness = 1;         ///< 0-1
+    float normalScale = 1;       ///< Any
+    float occlusionStrength = 1; ///< 0-1
+    Float3 emissive{0, 0, 0};    ///< Factor times KHR_materials_emissive_strength; radiance, 0 and up
+    float alphaCutoff = 0.5f;    ///< 0 and up
+    Float9 uv0Transform{1, 0, 0, 0, 1, 0, 0, 0, 1}; ///< KHR_texture_transform of stream 0
+    Float9 uv1Transform{1, 0, 0, 0, 1, 0, 0, 0, 1};
+};
+
+struct MaterialBlock {
+    Float4 baseColor;
+    Float2 metallicRoughness; ///< The factors, for textured materials.
+    Float3 reflectance;       ///< 0.96 (1 - m), m, 0.04 (1 - m)
+    Float4 lobe;              ///< By BRDF: see the snippets surface_*.glsl
+    Float2 occlusion;         ///< strength, 1 - strength
+    Float3 emissive;
+    float normalScale;
+    float alphaCutoff;
+    Float9 uv0Transform, uv1Transform;
+};
+
+/// Folds a material for programs with that BRDF. Exposure multiplies what the surface emits.
+MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure);
+
+/// A directional light (KHR_lights_punctual). pi lux make a white surface that faces it 1.0.
+struct Sun {
+    Float3 direction{0, -1, 0}; ///< Where its light travels, world space; any length but 0
+    Float3 color{1, 1, 1};      ///< Linear
+    float illuminance = 0;      ///< lux, 0 and up
+};
+
+/// A light with a position (KHR_lights_punctual, point and spot).
+struct Lamp {
+    Float3 position{0, 0, 0};   ///< World space, m
+    Float3 direction{0, 0, -1}; ///< Where a spot shines, world space; any length but 0
+    Float3 color{1, 1, 1};      ///< Linear
+    float intensity = 0;        ///< candela, 0 and up
+    float range = 0;            ///< m; 0 is infinite
+    bool spot = false;
+    float innerCone = 0;           ///< radians, 0 to outerCone
+    float outerCone = 0.78539816f; ///< radians, up to pi/2
+};
+
+/// What a sky sends to a surface, as the first nine coefficients of its radiance in real spherical
+/// harmonics, each RGB, in the order (l, m) = (0,0) (1,-1) (1,0) (1,1) (2,-2) (2,-1) (2,0) (2,1) (2,2).
+using SkyCoefficients = std::array<Float3, 9>;
+
+struct LightsBlock {
+    Float3 ambient;
+    std::array<Float3, 9> sky;
+    std::array<Float3, Permutation::kMaxLights> sunDirection; ///< Towards the sun, unit
+    std::array<Float3, Permutation::kMaxLights> sunRadiance;  ///< Irradiance / pi
+    std::array<Float4, Permutation::kMaxLights> lampPosition; ///< From the eye, m; 1 / range^2
+    std::array<Float3, Permutation::kMaxLights> lampRadiance; ///< Intensity / pi
+    std::array<Float3, Permutation::kMaxLights> lampAxis;     ///< Unit
+    std::array<Float2, Permutation::kMaxLights> lampCone;     ///< Scale, offset
+};
+
+/// Each writes one light's share of the block. Exposure multiplies all light, so that it costs nothing per
+/// pixel. index: 0 to kMaxLights - 1.
+void packAmbient(LightsBlock& block, const Float3& radiance, float exposure);
+void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure);
+void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure);
+void packLamp(LightsBlock& block, std::size_t index, const Lamp& lamp, const Float3& cameraPosition,
+              float exposure);
+
+struct FrameBlock {
+    Float3 cameraPosition; ///< World space, m
+    Float9 clipToSky;      ///< (x, y, 1) in clip space to a direction in the sky
+    float skyRange;        ///< The largest radiance that a sky texel can hold, times the exposure
+    Float3 dither;         ///< Amplitude per channel, in output units
+};
+
+/// The dither amplitude of a target with that many bits in each channel (1-16): one step of its codes.
+Float3 packDither(const std::array<int, 3>& bits);
+
+struct ObjectBlock {
+    Float16 modelViewProjection;
+    Float16 model;
+    Float9 normalMatrix; ///< Inverse transpose of the model's upper 3x3; any scale
+};
+
+/// Where a uniform's value starts in its block, in floats; -1 where the block has no such uniform. Tests
+/// hold that every uniform of every program has one.
+int fieldOffset(Block block, std::string_view uniform);
+
+} // namespace franken

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "franken/generator/pack.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace franken {
+namespace {
+
+constexpr float kInversePi = std::numbers::inv_pi_v<float>;
+
+Float3 scaled(const Float3& v, float factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
+
+float dot(const Float3& a, const Float3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Float3 unit(const Float3& v) {
+    const float length2 = dot(v, v);
+    return length2 > 0 ? scaled(v, 1 / std::sqrt(length2)) : v;
+}
+
+Float4 packLobe(float roughness, Brdf brdf) {
+    const float clamped = std::max(roughness, kMinRoughness);
+    const float alpha = clamped * clamped;
+    const float alpha2 = alpha * alpha;
+    switch (brdf) {
+    case Brdf::Gltf:
+        return {alpha2, 1 - alpha2, 0, 0};
+    case Brdf::Fast:
+        return {alpha, alpha2, 0, 0};
+    case Brdf::Seed: {
+        const float k = (roughness + 1) * (roughness + 1) / 8;
+        return {1 - alpha2, 1 - k, k, alpha2 / 4};
+    }
+    case Brdf::Schlick:
+        return {1 - alpha2, 1 - alpha / 2, alpha / 2, alpha2 / 4};
+    }
+    return {};
+}
+
+} // namespace
+
+MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure) {
+    const float dielectric = 1 - factors.metallic;
+    return {.baseColor = factors.baseColor,
+            .metallicRoughness = {factors.metallic, factors.roughness},
+            .reflectance = {0.96f * dielectric, factors.metallic, 0.04f * dielectric},
+            .lobe = packLobe(factors.roughness, brdf),
+            .occlusion = {factors.occlusionStrength, 1 - factors.occlusionStrength},
+            .emissive = scaled(factors.emissive, exposure),
+            .normalScale = factors.normalScale,
+            .alphaCutoff = factors.alphaCutoff,
+            .uv0Transform = factors.uv0Transform,
+            .uv1Transform = factors.uv1Transform};
+}
+
+void packAmbient(LightsBlock& block, const Float3& radiance, float exposure) {
+    block.ambient = scaled(radiance, exposure);
+}
+
+// Ramamoorthi and Hanrahan 2001: E(n) = sum A_l L_lm Y_lm(n) with A = pi, 2 pi / 3, pi / 4. The factors
+// below are A_l / pi times the constant of Y_lm.
+void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure) {
+    constexpr Float9 kFactors = {0.28209479f,         0.48860251f * 2 / 3, 0.48860251f * 2 / 3,
+                                 0.48860251f * 2 / 3, 1.09254843f / 4,     1.09254843f / 4,
+                                 0.31539157f / 4,     1.09254843f / 4,     0.54627422f / 4};
+    for (std::size_t i = 0; i < sky.size(); ++i)
+        block.sky[i] = scaled(sky[i], kFactors[i] * exposure);
+}
+
+void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure) {
+    assert(index < Permutation::kMaxLights);
+    block.sunDirection[index] = scaled(unit(sun.direction), -1);
+    block.sunRadiance[index] = scaled(sun.color, sun.illuminance * kInversePi * exposure);
+}
+
+void packLamp(LightsBlock& block, std::size_t index, const Lamp& lamp, const Float3& camera, float exposure) {
+    assert(index < Permutation::kMaxLights);
+    const float inverseRange2 = lamp.range > 0 ? 1 / (lamp.range * lamp.range) : 0;
+    block.lampPosition[index] = {lamp.position[0] - camera[0], lamp.position[1] - camera[1],
+                                 lamp.position[2] - camera[2], inverseRange2};
+    block.lampRadiance[index] = scaled(lamp.color, lamp.intensity * kInversePi * exposure);
+    block.lampAxis[index] = unit(lamp.direction);
+    const float cosOuter = std::cos(lamp.outerCone);
+    const float scale = 1 / std::max(0.001f, std::cos(lamp.innerCone) - cosOuter);
+    block.lampCone[index] = lamp.spot ? Float2{scale, -cosOuter * scale} : Float2{0, 1};
+}
+
+Float3 packDither(const std::array<int, 3>& bits) {
+    const auto step = [](int count) { return 1 / static_cast<float>((1 << count) - 1); };
+    return {step(bits[0]), step(bits[1]), step(bits[2])};
+}
+
+namespace {
+
+struct Field {
+    Block block;
+    std::string_view uniform;
+    std::size_t bytes;
+};
+
+constexpr Field kFields[] = {
+    {Block::Frame, "uCameraPosition", offsetof(FrameBlock, cameraPosition)},
+    {Block::Frame, "uClipToSky", offsetof(FrameBlock, clipToSky)},
+    {Block::Frame, "uSkyRange", offsetof(FrameBlock, skyRange)},
+    {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
+    {Block::Lights, "uAmbient", offsetof(LightsBlock, ambient)},
+    {Block::Lights, "uSky", offsetof(LightsBlock, sky)},
+    {Block::Lights, "uSun#Direction", offsetof(LightsBlock, sunDirection)},
+    {Block::Lights, "uSun#Radiance", offsetof(LightsBlock, sunRadiance)},
+    {Block::Lights, "uLamp#Position", offsetof(LightsBlock, lampPosition)},
+    {Block::Lights, "uLamp#Radiance", offsetof(LightsBlock, lampRadiance)},
+    {Block::Lights, "uLamp#Axis", offsetof(LightsBlock, lampAxis)},
+    {Block::Lights, "uLamp#Cone", offsetof(LightsBlock, lampCone)},
+    {Block::Material, "uBaseColor", offsetof(MaterialBlock, baseColor)},
+    {Block::Material, "uMetallicRoughness", offsetof(MaterialBlock, metallicRoughness)},
+    {Block::Material, "uReflectance", offsetof(MaterialBlock, reflectance)},
+    {Block::Material, "uLobe", offsetof(MaterialBlock, lobe)},
+    {Block::Material, "uOcclusion", offsetof(MaterialBlock, occlusion)},
+    {Block::Material, "uEmissive", offsetof(MaterialBlock, emissive)},
+    {Block::Material, "uNormalScale", offsetof(MaterialBlock, normalScale)},
+    {Block::Material, "uNormalMapScale", offsetof(MaterialBlock, normalScale)},
+    {Block::Material, "uAlphaCutoff", offsetof(MaterialBlock, alphaCutoff)},
+    {Block::Material, "uUv0Transform", offsetof(MaterialBlock, uv0Transform)},
+    {Block::Material, "uUv1Transform", offsetof(MaterialBlock, uv1Transform)},
+    {Block::Object, "uModelViewProjection", offsetof(ObjectBlock, modelViewProjection)},
+    {Block::Object, "uModel", offsetof(ObjectBlock, model)},
+    {Block::Object, "uNormalMatrix", offsetof(ObjectBlock, normalMatrix)},
+};
+
+// How far apart two neighbouring lights' values are.
+std::size_t strideOf(std::string_view property) {
+    if (property == "Position")
+        return sizeof(Float4);
+    return property == "Cone" ? sizeof(Float2) : sizeof(Float3);
+}
+
+} // namespace
+
+int fieldOffset(Block block, std::string_view uniform) {
+    const std::size_t digit = uniform.find_first_of("0123456789");
+    const bool light = block == Block::Lights && digit != std::string_view::npos;
+    for (const Field& field : kFields) {
+        if (field.block != block)
+            continue;
+        if (field.uniform == uniform)
+            return static_cast<int>(field.bytes / sizeof(float));
+        const std::size_t hash = field.uniform.find('#');
+        if (!light || hash != digit || field.uniform.substr(0, hash) != uniform.substr(0, digit) ||
+            field.uniform.substr(hash + 1) != uniform.substr(digit + 1))
+            continue;
+        const auto index = static_cast<std::size_t>(uniform[digit] - '0');
+        return static_cast<int>((field.bytes + index * strideOf(uniform.substr(digit + 1))) / sizeof(float));
+    }
+    return -1;
+}
+
+} // namespace franken
