@@ -4,6 +4,11 @@
 // would catch the gl* calls that an application, SDL or a foreign engine means for another driver. And a
 // kiosk need not install it. RTLD_DEEPBIND is not needed (it binds its own gl* calls to itself), and
 // AddressSanitizer refuses it. It is never closed: Mesa leaves thread-local data and exit handlers behind.
+//
+// What differs from a GLES2 context of the same Mesa, beyond what open() evens out: GL_VERSION does not begin
+// with "OpenGL ES", and GL_EXTENSIONS lacks the OES names of what desktop GL has in its core (32-bit indices,
+// derivatives, textures of any size with mipmaps, float and depth textures), though all of it works. Programs
+// of #version 100 are compiled by the same rules, with the same macros.
 #include "backends.h"
 
 #include <GL/osmesa.h>
@@ -16,13 +21,11 @@ namespace franken::platform {
 
 namespace {
 
-Error driverError(std::string where, std::string what) {
-    return Error{"surface.driver", std::move(where), std::move(what),
-                 "install the Debian package libosmesa6, or choose another backend"};
-}
+constexpr const char* kLibrary = "libOSMesa.so.8";
+constexpr const char* kInstall = "install the Debian package libosmesa6, or choose another backend";
 
 struct Library {
-    decltype(&::OSMesaCreateContextAttribs) createContext = nullptr;
+    decltype(&::OSMesaCreateContextExt) createContext = nullptr;
     decltype(&::OSMesaDestroyContext) destroyContext = nullptr;
     decltype(&::OSMesaMakeCurrent) makeCurrent = nullptr;
     decltype(&::OSMesaGetProcAddress) getProcAddress = nullptr;
@@ -31,9 +34,9 @@ struct Library {
 };
 
 Result<Library> Library::open() {
-    void* handle = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+    void* handle = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr)
-        return driverError("libOSMesa.so.8", dlerror());
+        return Error{"surface.no-library", kLibrary, dlerror(), kInstall};
     Library library;
     const char* missing = nullptr;
     const auto find = [&]<typename Function>(Function*& function, const char* name) {
@@ -41,29 +44,27 @@ Result<Library> Library::open() {
         if (function == nullptr)
             missing = name;
     };
-    find(library.createContext, "OSMesaCreateContextAttribs");
+    find(library.createContext, "OSMesaCreateContextExt");
     find(library.destroyContext, "OSMesaDestroyContext");
     find(library.makeCurrent, "OSMesaMakeCurrent");
     find(library.getProcAddress, "OSMesaGetProcAddress");
     if (missing != nullptr)
-        return driverError("libOSMesa.so.8", std::string("the library is too old: it has no ") + missing);
+        return Error{"surface.no-library", kLibrary, std::string("the library has no ") + missing, kInstall};
     return library;
 }
 
 class OsMesaSurface final : public Surface {
 public:
     OsMesaSurface(const Library& library, OSMesaContext context, Size size)
-        : Surface(size),
+        : Surface(Backend::OsMesa, size),
           m_library(library),
           m_context(context),
           m_pixels(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
 
     ~OsMesaSurface() override {
-        const Detached detached(*this);
+        letGo();
         m_library.destroyContext(m_context);
     }
-
-    std::string_view backend() const override { return "osmesa"; }
 
     GetProcAddress getProcAddress() const override {
         return [find = m_library.getProcAddress](const char* name) {
@@ -71,19 +72,15 @@ public:
         };
     }
 
-    Result<void> present() override {
-        m_finish();
-        return {};
-    }
+    Result<void> present() override { return {}; }
 
     Result<void> open();
 
 protected:
     Result<void> bind() override {
         if (!m_library.makeCurrent(m_context, m_pixels.data(), GL_UNSIGNED_BYTE, m_size.width, m_size.height))
-            return driverError("OSMesaMakeCurrent", "the driver refuses a target of " +
-                                                        std::to_string(m_size.width) + "x" +
-                                                        std::to_string(m_size.height) + " pixels");
+            return Error{"surface.driver", "OSMesaMakeCurrent", "the driver refuses the target",
+                         "choose a smaller size"};
         return {};
     }
 
@@ -93,19 +90,19 @@ private:
     Library m_library;
     OSMesaContext m_context;
     std::vector<std::uint32_t> m_pixels; ///< RGBA8, row 0 at the bottom.
-    void (*m_finish)() = nullptr;
 };
 
 Result<void> OsMesaSurface::open() {
     if (Result<void> ready = makeReady(); !ready)
         return ready;
     const auto enable = reinterpret_cast<decltype(&::glEnable)>(m_library.getProcAddress("glEnable"));
-    m_finish = reinterpret_cast<decltype(&::glFinish)>(m_library.getProcAddress("glFinish"));
-    if (enable == nullptr || m_finish == nullptr)
-        return driverError("OSMesaGetProcAddress", "the library hands out no GL functions");
-    // Always on in GLES2, off at first in desktop GL: gl_PointCoord and gl_PointSize.
+    if (enable == nullptr)
+        return Error{"surface.driver", "OSMesaGetProcAddress", "the library hands out no GL functions",
+                     kInstall};
+    // Off at first in desktop GL, always on in a GLES context of Mesa (seamless cube maps: of 3.0 and up).
     enable(GL_POINT_SPRITE);
     enable(GL_VERTEX_PROGRAM_POINT_SIZE);
+    enable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
     return {};
 }
 
@@ -115,20 +112,12 @@ Result<std::unique_ptr<Surface>> createOsMesa(const SurfaceOptions& options) {
     static const Result<Library> library = Library::open();
     if (!library)
         return library.error();
-    const int attributes[] = {OSMESA_FORMAT,
-                              OSMESA_RGBA,
-                              OSMESA_DEPTH_BITS,
-                              options.depthBits,
-                              OSMESA_STENCIL_BITS,
-                              0,
-                              OSMESA_ACCUM_BITS,
-                              0,
-                              OSMESA_PROFILE,
-                              OSMESA_COMPAT_PROFILE,
-                              0};
-    const OSMesaContext context = library->createContext(attributes, nullptr);
+    const OSMesaContext context = library->createContext(OSMESA_RGBA, options.depthBits, 0, 0, nullptr);
     if (context == nullptr)
-        return driverError("OSMesaCreateContextAttribs", "the driver refuses an RGBA8 compatibility context");
+        return Error{"surface.driver", "OSMesaCreateContextExt",
+                     "the driver refuses an RGBA8 compatibility context with " +
+                         std::to_string(options.depthBits) + " bits of depth",
+                     "ask for 24 bits or fewer"};
     auto surface = std::make_unique<OsMesaSurface>(*library, context, options.size);
     if (Result<void> opened = surface->open(); !opened)
         return opened.error();

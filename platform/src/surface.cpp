@@ -10,23 +10,14 @@ namespace {
 thread_local Surface* currentSurface = nullptr;
 
 struct BackendRow {
-    Backend backend;
     std::string_view text;
     Result<std::unique_ptr<Surface>> (*create)(const SurfaceOptions&);
 };
 
-constexpr BackendRow kBackends[] = {
-    {Backend::OsMesa, "osmesa", createOsMesa},
-    {Backend::EglSurfaceless, "egl", createEglSurfaceless},
-};
+/// In the order of the enumeration.
+constexpr BackendRow kBackends[] = {{"osmesa", createOsMesa}, {"egl", createEglSurfaceless}};
 
-const BackendRow& rowOf(Backend backend) {
-    for (const BackendRow& row : kBackends)
-        if (row.backend == backend)
-            return row;
-    assert(false);
-    return kBackends[0];
-}
+const BackendRow& rowOf(Backend backend) { return kBackends[static_cast<std::size_t>(backend)]; }
 
 Result<void> check(const SurfaceOptions& options) {
     const auto inRange = [](int extent) { return extent >= 1 && extent <= kMaxSurfaceSize; };
@@ -45,25 +36,18 @@ Result<void> check(const SurfaceOptions& options) {
 
 Result<void> Surface::makeCurrent() {
     if (currentSurface != nullptr && currentSurface != this)
-        currentSurface->unbind();
-    currentSurface = nullptr;
+        currentSurface->letGo();
     if (Result<void> bound = bind(); !bound)
         return bound;
     currentSurface = this;
     return {};
 }
 
-Surface::Detached::Detached(const Surface& dying) : m_previous(currentSurface) {
-    if (m_previous != nullptr)
-        m_previous->unbind();
+void Surface::letGo() {
+    if (currentSurface != this)
+        return;
+    unbind();
     currentSurface = nullptr;
-    if (m_previous == &dying)
-        m_previous = nullptr;
-}
-
-Surface::Detached::~Detached() {
-    if (m_previous != nullptr && m_previous->bind())
-        currentSurface = m_previous;
 }
 
 Result<void> Surface::makeReady() {
@@ -75,8 +59,7 @@ Result<void> Surface::makeReady() {
         const unsigned char* string = getString == nullptr ? nullptr : getString(name);
         return std::string(string == nullptr ? "unknown" : reinterpret_cast<const char*>(string));
     };
-    constexpr unsigned kRenderer =
-        0x1F01; // GL_RENDERER and GL_VERSION: no GL header here, two drivers differ
+    constexpr unsigned kRenderer = 0x1F01; // As in any GL header; OSMesa's and GLES2's cannot be mixed.
     constexpr unsigned kVersion = 0x1F02;
     m_driver = text(kRenderer) + ", " + text(kVersion);
     return {};
@@ -86,10 +69,10 @@ std::string_view toString(Backend backend) { return rowOf(backend).text; }
 
 Result<Backend> parseBackend(std::string_view text) {
     std::string choices;
-    for (const BackendRow& row : kBackends) {
-        if (row.text == text)
-            return row.backend;
-        choices.append(choices.empty() ? "" : ", ").append(row.text);
+    for (const Backend backend : {Backend::OsMesa, Backend::EglSurfaceless}) {
+        if (toString(backend) == text)
+            return backend;
+        choices.append(choices.empty() ? "" : ", ").append(toString(backend));
     }
     return Error{"surface.backend", std::string(text), "there is no such backend",
                  "choose one of " + choices};

@@ -20,9 +20,19 @@ struct Size {
     bool operator==(const Size&) const = default;
 };
 
-/// Largest width and height that a surface is made with: 16384, the limit of Mesa's software drivers. A
-/// driver that has less refuses on its own.
-inline constexpr int kMaxSurfaceSize = 16384;
+/// Largest width and height that a surface is made with, in pixels: a 4K screen supersampled 2x2, in 256 MiB.
+/// A driver that takes less refuses on its own (vc4: 2048).
+inline constexpr int kMaxSurfaceSize = 8192;
+
+/// Where a surface comes from.
+enum class Backend {
+    /// Mesa's software renderer into this process' memory: needs no device and no privilege. An OpenGL
+    /// compatibility context that takes GLES2 programs; what differs from GLES2 is noted in osmesa.cpp.
+    OsMesa,
+    /// A GLES2 context with a pbuffer, by EGL without a window system: on a GPU's render node, or by Mesa's
+    /// software driver.
+    EglSurfaceless
+};
 
 /// A context that speaks GLES2, and the target that it draws to unless told otherwise: an image in memory
 /// now, a screen later. The target is RGBA8 with a depth buffer, without multisampling, row 0 at the bottom.
@@ -40,8 +50,7 @@ public:
     Surface& operator=(const Surface&) = delete;
     virtual ~Surface() = default;
 
-    /// "osmesa" or "egl": what parseBackend() takes.
-    virtual std::string_view backend() const = 0;
+    Backend backend() const { return m_backend; }
 
     /// What draws, as the driver puts it: GL_RENDERER and GL_VERSION, "softpipe, OpenGL ES 3.1 Mesa 22.3.6".
     const std::string& driver() const { return m_driver; }
@@ -59,16 +68,16 @@ public:
     /// Where the functions come from; good for as long as the surface lives.
     virtual GetProcAddress getProcAddress() const = 0;
 
-    /// Makes the context current in this thread. Fails with `surface.current` where another thread holds it.
+    /// Makes the context current in this thread. Fails with `surface.driver` where another thread holds it.
     Result<void> makeCurrent();
 
-    /// Ends the frame: waits for it, and shows it where there is a screen. The surface must be current; the
-    /// contents of the target are kept where it is an image in memory, and undefined on a screen. Fails with
-    /// `surface.lost` when the context and all its GL objects are gone: make a new surface and rebuild them.
+    /// Ends the frame, and shows it where there is a screen. The surface must be current. The contents of the
+    /// target are kept where it is an image in memory, and undefined on a screen. Fails with `surface.lost`
+    /// when the context and all its GL objects are gone: make a new surface and rebuild them.
     virtual Result<void> present() = 0;
 
 protected:
-    explicit Surface(Size size) : m_size(size) {}
+    Surface(Backend backend, Size size) : m_backend(backend), m_size(size) {}
 
     /// The backend's part of makeCurrent(), called with no other surface current in the thread.
     virtual Result<void> bind() = 0;
@@ -76,23 +85,13 @@ protected:
     /// Leaves the thread without a context.
     virtual void unbind() = 0;
 
-    /// While one lives, no surface is current in the thread; then the one that was is so again, unless it is
-    /// the dying one. A backend's destructor wraps the driver's in it: a driver that destroys a context while
-    /// one of another driver is current takes that one for its own.
-    class Detached {
-    public:
-        explicit Detached(const Surface& dying);
-        Detached(const Detached&) = delete;
-        Detached& operator=(const Detached&) = delete;
-        ~Detached();
-
-    private:
-        Surface* m_previous;
-    };
+    /// unbind() if it is current in the thread. A backend's destructor begins with it.
+    void letGo();
 
     /// makeCurrent(), then fills in driver(): the last step of opening a surface.
     Result<void> makeReady();
 
+    Backend m_backend;
     Size m_size;
     unsigned m_framebuffer = 0;
     bool m_srgbTarget = false;
@@ -105,27 +104,16 @@ struct SurfaceOptions {
     Log log = {};           ///< Told which driver was found.
 };
 
-/// Where a surface comes from.
-enum class Backend {
-    /// Mesa's software renderer into this process' memory: needs no device and no privilege. An OpenGL
-    /// compatibility context that takes GLES2 programs; what differs from GLES2 is noted in osmesa.cpp.
-    OsMesa,
-    /// A GLES2 context with a pbuffer, by EGL without a window system: a GPU's render node, or Mesa's
-    /// software
-    /// driver.
-    EglSurfaceless
-};
-
 /// "osmesa" or "egl".
 std::string_view toString(Backend backend);
 
 /// The inverse of toString(). Fails with `surface.backend`; the remedy lists the choices.
 Result<Backend> parseBackend(std::string_view text);
 
-/// Makes a surface of that backend, which is current afterwards. Fails with
+/// Makes a surface of that backend, which is current afterwards (where it fails, none may be). Fails with
 /// - `surface.options` for a size or depth out of range,
-/// - `surface.driver` where a library or driver is missing or refuses: it names the call, its error and the
-///   Debian packages that would help.
+/// - `surface.no-library` where the backend is not installed: it names the Debian package,
+/// - `surface.driver` where a driver is missing or refuses: it names the call and its error.
 ///
 /// Which software rasteriser draws is Mesa's choice, through its environment: GALLIUM_DRIVER=softpipe or
 /// llvmpipe for both backends, LIBGL_ALWAYS_SOFTWARE=1 to keep EGL off a GPU. The variables are read once,
