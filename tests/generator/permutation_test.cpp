@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// Names, keys and canonical forms, one at a time; population_test.cpp asks the same of thousands.
+#include "franken/generator/choices.h"
+#include "franken/generator/permutation.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace franken {
+namespace {
+
+struct BadName {
+    std::string_view name, code, where, remedy;
+};
+
+constexpr BadName kBadNames[] = {
+    {"", "permutation.unknown-word", "column 1", ""},
+    {"basecolor+nromal", "permutation.unknown-word", "column 11", "did you mean 'normal'?"},
+    {"basecolour", "permutation.unknown-word", "column 1", "did you mean 'basecolor'?"},
+    {"sun2+lmap1", "permutation.unknown-word", "column 6", "did you mean 'lamp1'?"},
+    {"basecolor..normal", "permutation.unknown-word", "column 11", ""},
+    {"basecolor+", "permutation.unknown-word", "column 11", ""},
+    {"+basecolor", "permutation.unknown-word", "column 1", ""},
+    {"Basecolor", "permutation.unknown-word", "column 1", "did you mean 'basecolor'?"},
+    {"basecolor normal", "permutation.unknown-word", "column 1", ""},
+    {"sun1+sun2", "permutation.twice", "column 6", "keep one of the two words"},
+    {"sun1+sun1", "permutation.twice", "column 6", "keep one of the two words"},
+    {"normal+normal-vertex", "permutation.twice", "column 8", "keep one of the two words"},
+};
+
+TEST(Name, RefusesWhatIsNoName) {
+    for (const BadName& row : kBadNames) {
+        const auto parsed = parseName(row.name);
+        ASSERT_FALSE(parsed) << row.name;
+        EXPECT_EQ(parsed.error().code, row.code) << row.name;
+        EXPECT_EQ(parsed.error().where, row.where) << row.name;
+        if (!row.remedy.empty()) {
+            EXPECT_EQ(parsed.error().remedy, row.remedy) << row.name;
+        }
+    }
+}
+
+TEST(Name, PointsAtTheWrongWord) {
+    const auto parsed = parseName("basecolor+nromal+sun1");
+    ASSERT_FALSE(parsed);
+    EXPECT_NE(parsed.error().what.find("\n  basecolor+nromal+sun1\n            ^^^^^^"), std::string::npos)
+        << parsed.error().what;
+}
+
+TEST(Name, LeavesDefaultsOut) {
+    EXPECT_EQ(toName({}), "surface");
+    Permutation p;
+    p.baseColorTexture = true;
+    p.normal = Normal::Map;
+    p.ambient = Ambient::Color;
+    p.suns = 2;
+    EXPECT_EQ(toName(p), "basecolor.normal+ambient+sun2");
+}
+
+TEST(Name, TakesWordsInAnyOrderAndDefaultsSpeltOut) {
+    const auto parsed = parseName("sun2.srgb+normal+surface+basecolor.ambient");
+    ASSERT_TRUE(parsed) << toString(parsed.error());
+    EXPECT_EQ(toName(*parsed), "basecolor.normal+ambient+sun2");
+}
+
+TEST(Name, WordsAreUnique) {
+    std::set<std::string_view> words;
+    for (const Choice& choice : choices())
+        for (const Option& option : choice.options)
+            EXPECT_TRUE(words.insert(option.word).second) << option.word;
+}
+
+TEST(Key, BitsDoNotOverlap) {
+    Key used = Key{0xF} << 60;
+    const auto take = [&](std::string_view name, unsigned shift, unsigned bits) {
+        const Key mask = ((Key{1} << bits) - 1) << shift;
+        EXPECT_EQ(used & mask, 0u) << name;
+        used |= mask;
+    };
+    for (const Choice& choice : choices()) {
+        take(choice.name, choice.shift, choice.bits);
+        EXPECT_LE(choice.options.size(), std::size_t{1} << choice.bits) << choice.name;
+    }
+    for (const ReservedBits& reserved : reservedBits())
+        take(reserved.name, reserved.shift, reserved.bits);
+    EXPECT_EQ(used, ~Key{0}) << "every bit is a choice's, reserved or the version's";
+}
+
+TEST(Key, RefusesReservedBits) {
+    for (const ReservedBits& reserved : reservedBits())
+        for (unsigned bit = 0; bit < reserved.bits; ++bit) {
+            const auto read = fromKey(toKey({}) | Key{1} << (reserved.shift + bit));
+            ASSERT_FALSE(read) << reserved.name;
+            EXPECT_EQ(read.error().code, "permutation.key");
+            EXPECT_NE(read.error().what.find(reserved.name), std::string::npos) << read.error().what;
+        }
+}
+
+TEST(Key, RefusesOtherSchemas) {
+    for (Key version = 0; version < 16; ++version) {
+        const auto read = fromKey((toKey({}) & ~(Key{0xF} << 60)) | version << 60);
+        EXPECT_EQ(read.has_value(), version == kSchemaVersion);
+        if (!read) {
+            EXPECT_EQ(read.error().code, "permutation.schema");
+        }
+    }
+}
+
+TEST(Key, RefusesValuesThatMeanNothing) {
+    for (const Choice& choice : choices())
+        for (Key value = choice.options.size(); value < Key{1} << choice.bits; ++value) {
+            const auto read = fromKey(toKey({}) | value << choice.shift);
+            ASSERT_FALSE(read) << choice.name << " " << value;
+            EXPECT_EQ(read.error().code, "permutation.key");
+        }
+}
+
+struct Contradiction {
+    std::string_view name, word;
+};
+
+constexpr Contradiction kContradictions[] = {
+    {"occlusion-packed+ambient", "occlusion-packed"},
+    {"metalrough-separate.occlusion-packed+ambient", "occlusion-packed"},
+    {"uv0-transform+sun1", "uv0-transform"},
+    {"basecolor.basecolor-uv1.uv0-transform", "uv0-transform"},
+    {"basecolor.uv1-transform", "uv1-transform"},
+    {"basecolor-uv1", "basecolor-uv1"},
+    {"metalrough-uv1+sun1", "metalrough-uv1"},
+    {"normal-uv1+sun1", "normal-uv1"},
+    {"metalrough.occlusion-packed.occlusion-uv1+ambient", "occlusion-uv1"},
+    {"emissive-factor.emissive-uv1", "emissive-uv1"},
+    {"spots+sun1", "spots"},
+};
+
+TEST(Canonical, RefusesContradictions) {
+    for (const Contradiction& row : kContradictions) {
+        const auto parsed = parseName(row.name);
+        ASSERT_TRUE(parsed) << toString(parsed.error());
+        const auto canonical = canonicalise(*parsed);
+        ASSERT_FALSE(canonical) << row.name;
+        EXPECT_EQ(canonical.error().code, "permutation.contradiction") << row.name;
+        EXPECT_EQ(canonical.error().where, row.word) << row.name;
+        EXPECT_FALSE(canonical.error().what.empty());
+        EXPECT_FALSE(canonical.error().remedy.empty());
+    }
+}
+
+TEST(Canonical, RefusesValuesOutOfRange) {
+    Permutation p;
+    p.suns = Permutation::kMaxLights + 1;
+    const auto canonical = canonicalise(p);
+    ASSERT_FALSE(canonical);
+    EXPECT_EQ(canonical.error().code, "permutation.range");
+    EXPECT_EQ(canonical.error().where, "suns");
+}
+
+struct NoOp {
+    std::string_view name, canonical;
+    std::vector<std::string> dropped;
+};
+
+const NoOp kNoOps[] = {
+    {"normal", "surface", {"normal"}},
+    {"basecolor.normal+ambient", "basecolor+ambient", {"normal"}},
+    {"basecolor.normal+sun1", "basecolor.normal+sun1", {}},
+    {"basecolor.normal.occlusion.unlit+ambient+sun2+seed",
+     "basecolor.unlit",
+     {"normal", "occlusion", "ambient", "sun2", "seed"}},
+    {"sky+basecolor.blend+sun1", "sky", {"basecolor", "blend", "sun1"}},
+    {"occlusion+sun1", "sun1", {"occlusion"}},
+    {"sun1+lamp1+vertexlight", "sun1+lamp1", {"vertexlight"}},
+    {"basecolor.normal+sun1+view-basecolor", "basecolor+view-basecolor", {"normal", "sun1"}},
+    {"metalrough.metalrough-uv1.uv1-transform+ambient",
+     "ambient",
+     {"metalrough", "metalrough-uv1", "uv1-transform"}},
+};
+
+TEST(Canonical, DropsNoOpsAndSaysWhich) {
+    for (const NoOp& row : kNoOps) {
+        const auto parsed = parseName(row.name);
+        ASSERT_TRUE(parsed) << toString(parsed.error());
+        const auto canonical = canonicalise(*parsed);
+        ASSERT_TRUE(canonical) << toString(canonical.error());
+        EXPECT_EQ(toName(canonical->permutation), row.canonical) << row.name;
+        std::vector<std::string> words;
+        for (const Dropped& dropped : canonical->dropped) {
+            words.push_back(dropped.word);
+            EXPECT_FALSE(dropped.reason.empty()) << dropped.word;
+        }
+        EXPECT_EQ(words, row.dropped) << row.name;
+    }
+}
+
+} // namespace
+} // namespace franken
