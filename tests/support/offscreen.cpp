@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "support/offscreen.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+// OSMesa forgets a few hundred bytes with each context; here because whoever tests pictures links this file.
+extern "C" const char* __lsan_default_suppressions(); // NOLINT(bugprone-reserved-identifier)
+extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
+
+namespace franken::test {
+
+Image::Pixel Image::pixel(int x, int y) const {
+    const auto index =
+        4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
+    return {rgba.at(index), rgba.at(index + 1), rgba.at(index + 2), rgba.at(index + 3)};
+}
+
+Result<Offscreen> openOffscreen(platform::Backend backend, platform::Size size) {
+    constexpr int kKeep = 0;
+    setenv("GALLIUM_DRIVER", "softpipe", kKeep);
+    setenv("LIBGL_ALWAYS_SOFTWARE", "1", kKeep);
+    Result<std::unique_ptr<platform::Surface>> surface = platform::create(backend, {.size = size});
+    if (!surface)
+        return surface.error();
+    Result<Gl> gl = Gl::load((*surface)->getProcAddress());
+    if (!gl)
+        return gl.error();
+    gl->Viewport(0, 0, size.width, size.height);
+    return Offscreen{*std::move(surface), *gl};
+}
+
+Image readBack(const Offscreen& offscreen) {
+    const auto [width, height] = offscreen.surface->size();
+    const auto rowBytes = 4 * static_cast<std::size_t>(width);
+    Image image{width, height, std::vector<std::uint8_t>(rowBytes * static_cast<std::size_t>(height))};
+    offscreen.gl.BindFramebuffer(GL_FRAMEBUFFER, offscreen.surface->framebuffer());
+    offscreen.gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    for (auto low = image.rgba.begin(), high = image.rgba.end(); high - low > width * 4; low += width * 4) {
+        high -= width * 4;
+        std::swap_ranges(low, low + width * 4, high);
+    }
+    return image;
+}
+
+void OffscreenTest::SetUp() {
+    Result<Offscreen> offscreen = openOffscreen(GetParam(), m_size);
+    if (!offscreen && offscreen.error().code == "surface.no-library")
+        GTEST_SKIP() << toString(offscreen.error());
+    ASSERT_TRUE(offscreen) << toString(offscreen.error());
+    m_offscreen = *std::move(offscreen);
+}
+
+} // namespace franken::test
