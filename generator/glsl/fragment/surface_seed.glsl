@@ -7,4 +7,5 @@ vec3 scattered(vec3 base, vec3 reflectance) {
   return (1.0 - reflectance.y) * (1.0 - reflectance.z - reflectance.y * base);
 }
 //! main
-  Surface surface = Surface(scattered(base.rgb, uReflectance), uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, uLobe.w);
+  vec3 diffuseShare = scattered(base.rgb, uReflectance);
+  Surface surface = Surface(diffuseShare, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, uLobe.w);

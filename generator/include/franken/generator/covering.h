@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/permutation.h"
+
+#include <vector>
+
+namespace franken {
+
+/// A small set of canonical permutations in which every combination of three choices occurs: most faults
+/// of a program show up where one, two or three choices meet (Kuhn, Wallace and Gallo, "Software Fault
+/// Interactions and Implications for Software Testing", 2004), and the product of all choices is far too
+/// large to be tested.
+///
+/// What is covered, exactly: each triple of values of three different choices that stands in some
+/// canonical permutation stands in one of these. Triples are not asked for where canonicalising refuses or
+/// drops one of the three values whatever the other choices are (the sky has no normal map): no program
+/// shows them. Choices that change no program of this version at all keep their default.
+///
+/// The triples are found by looking at some ten thousand permutations, not by proof; a test looks at tens
+/// of thousands of others. Deterministic: the same set, in the same order, on every machine. Takes about a
+/// second: call it once.
+std::vector<Permutation> coveringSet();
+
+} // namespace franken
