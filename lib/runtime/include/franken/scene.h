@@ -37,7 +37,7 @@ enum class Filter {
 
 /// An image and how it is sampled. Filters that the file leaves open are the best that GLES2 has.
 struct Texture {
-    int image = kNone; ///< Index into Scene::images; always valid.
+    int image = kNone; ///< Index into Scene::images; kNone only where no material uses the texture.
     Wrap wrapS = Wrap::Repeat;
     Wrap wrapT = Wrap::Repeat;
     Filter magFilter = Filter::Linear; ///< Nearest or Linear only.
@@ -162,7 +162,7 @@ struct Light {
 
 /// Everything that one file draws.
 struct Scene {
-    std::vector<Image> images;
+    std::vector<Image> images; ///< One white pixel for each that no material uses.
     std::vector<Texture> textures;
     std::vector<Material>
         materials;            ///< At least one where there is a mesh: primitives without get a default.

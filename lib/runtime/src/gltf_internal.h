@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+// The one place that includes tinygltf: its Model is what the loader's files hand to each other, and a copy
+// of it in types of our own would only double it. Only gltf_*.cpp see this header.
+#include <tiny_gltf.h>
+
+#include "franken/gltf.h"
+#include "franken/scene.h"
+
+namespace franken::gltf {
+
+/// A file being loaded, and where complaints about it go. Functions that can fail return false after a call
+/// of fail(); the first error stays.
+struct Source {
+    std::string file;
+    LoadOptions options;
+    Log log;
+    tinygltf::Model model;
+    std::optional<Error> error;
+    std::set<std::string> warned;
+
+    /// Records an error at the JSON path `where`; false, to be returned.
+    bool fail(std::string_view code, const std::string& where, std::string what, std::string remedy = {});
+    /// Logs a warning at the JSON path `where`.
+    void warn(const std::string& where, const std::string& what) const;
+    /// Logs a warning whose text was not there before.
+    void warnOnce(const std::string& what);
+    bool uses(std::string_view extension) const;
+};
+
+inline constexpr std::string_view kFixExporter =
+    "export the file again, or see what glTF-Validator says of it";
+
+/// "/meshes/0/primitives/1" from ("meshes", 0, "primitives", 1).
+template<typename... Parts>
+std::string pathOf(const Parts&... parts) {
+    std::string path;
+    const auto add = [&path](const auto& part) {
+        path += '/';
+        if constexpr (std::is_arithmetic_v<std::decay_t<decltype(part)>>)
+            path += std::to_string(part);
+        else
+            path += part;
+    };
+    (add(parts), ...);
+    return path;
+}
+
+inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+// gltf_gate.cpp: what has to hold before a parser that trusts its input sees the file.
+
+bool checkContainer(Source& source, std::span<const std::uint8_t> bytes);
+bool isBinary(std::span<const std::uint8_t> bytes);
+
+// gltf_validate_data.cpp and gltf_validate_tree.cpp: what has to hold for the parsed model. After these two,
+// every index in Source::model is in range, every accessor lies inside its buffer and every attribute has a
+// type that its semantic allows. Only the contents of the buffers are still unknown.
+
+bool validateData(Source& source);
+bool validateTree(Source& source);
+
+/// False with an error unless `index` is -1 (absent) or below `size`.
+bool checkIndex(Source& source, int index, std::size_t size, const std::string& where);
+/// False with an error unless `index` is below `size`.
+bool checkPresent(Source& source, int index, std::size_t size, const std::string& where);
+/// False with an error unless all numbers are finite as floats.
+bool checkFinite(Source& source, const std::vector<double>& numbers, const std::string& where);
+
+// gltf_accessor.cpp
+
+/// Floats in one element of a valid accessor: 3 for VEC3, 16 for MAT4.
+int width(const tinygltf::Accessor& accessor);
+/// All elements of the accessor as floats, normalised integers in 0..1 or -1..1, sparse values applied.
+/// `out` holds count * width(accessor) floats. Fails where a float is not finite.
+bool readFloats(Source& source, int accessor, std::span<float> out);
+/// All elements of a scalar integer accessor.
+bool readIndices(Source& source, int accessor, std::vector<std::uint32_t>& out);
+/// Four joint numbers for each vertex.
+bool readJoints(Source& source, int accessor, std::vector<glm::uvec4>& out);
+
+/// As readFloats(), into vectors. The accessor's width must be that of Vector.
+template<typename Vector>
+bool readVectors(Source& source, int accessor, std::vector<Vector>& out) {
+    out.resize(source.model.accessors[at(accessor)].count);
+    return readFloats(source, accessor,
+                      {&out[0][0], out.size() * static_cast<std::size_t>(Vector::length())});
+}
+
+// gltf_image.cpp
+
+/// Decodes the images that are `used`; warns of those that cannot be decoded and marks them as `broken`.
+/// These and the unused ones come out as one white pixel.
+void readImages(Source& source, const std::vector<bool>& used, std::vector<bool>& broken,
+                std::vector<Image>& images);
+
+// gltf_material.cpp
+
+/// Fills materials, textures and images.
+bool readMaterials(Source& source, Scene& scene);
+
+// gltf_mesh.cpp
+
+/// How a node bends its mesh: morph weights, and for a skin what moves a vertex from the mesh into the world.
+struct Pose {
+    std::vector<double> weights;
+    std::vector<glm::mat4> joints; ///< jointWorld * inverseBindMatrix; empty without a skin.
+};
+
+/// The file's mesh in the given pose. Its primitives' materials are indices into scene.materials, to which a
+/// default is added where it is needed; a mesh of which nothing can be drawn comes out without primitives.
+bool readMesh(Source& source, int mesh, const Pose& pose, Scene& scene, Mesh& out);
+
+// gltf_pose.cpp
+
+/// Adds the weighted morph targets to positions, and to normals and tangents where the primitive has them.
+bool applyMorph(Source& source, const tinygltf::Primitive& from, const std::string& where,
+                const std::vector<double>& weights, Primitive& primitive);
+/// Moves positions, normals and tangents by the weighted joints of JOINTS_0 and WEIGHTS_0.
+bool applySkin(Source& source, const tinygltf::Primitive& from, const std::string& where,
+               const std::vector<glm::mat4>& joints, Primitive& primitive);
+
+// gltf_view.cpp: the camera and the light of that number, without their place in the world.
+
+bool readCamera(Source& source, int index, Camera& camera);
+bool readLight(Source& source, int index, Light& light);
+
+// gltf_node.cpp
+
+/// Walks the scene's nodes: meshes, instances, cameras and lights. Needs the materials.
+bool readNodes(Source& source, Scene& scene);
+
+} // namespace franken::gltf
