@@ -21,32 +21,41 @@ Float3 unit(const Float3& v) {
     return length2 > 0 ? scaled(v, 1 / std::sqrt(length2)) : v;
 }
 
-Float4 packLobe(float roughness, Brdf brdf) {
+// The shadowing's coefficients as the lobes take them, with the rest of the lobe's constants folded in.
+Float3 packLobe(float roughness, Brdf brdf) {
     const float clamped = std::max(roughness, kMinRoughness);
     const float alpha = clamped * clamped;
     const float alpha2 = alpha * alpha;
+    const float slope = 1 - alpha2;
+    const auto schlick = [&](float k) { return Float3{slope, (1 - k) * 2 / alpha, k * 2 / alpha}; };
     switch (brdf) {
     case Brdf::Gltf:
-        return {alpha2, 1 - alpha2, 0, 0};
+        return {slope, 4 * slope / (alpha2 * alpha2), 4 / alpha2};
     case Brdf::Fast:
-        return {alpha, alpha2, 0, 0};
-    case Brdf::Seed: {
-        const float k = (roughness + 1) * (roughness + 1) / 8;
-        return {1 - alpha2, 1 - k, k, alpha2 / 4};
-    }
+        return {slope, 4 * (1 - alpha) / alpha2, 2 * alpha / alpha2};
+    case Brdf::Seed:
+        return schlick((roughness + 1) * (roughness + 1) / 8);
     case Brdf::Schlick:
-        return {1 - alpha2, 1 - alpha / 2, alpha / 2, alpha2 / 4};
+        return schlick(alpha / 2);
     }
     return {};
+}
+
+// glTF mixes a dielectric and a metal; the seed takes one F0 for both, so that the specular layer takes its
+// share from the base colour's channels.
+Float4 packReflectance(float metallic, Brdf brdf) {
+    const float dielectric = 0.04f * (1 - metallic);
+    if (brdf == Brdf::Seed)
+        return {(1 - metallic) * (1 - dielectric), metallic, dielectric, (1 - metallic) * metallic};
+    return {0.96f * (1 - metallic), metallic, dielectric, 0};
 }
 
 } // namespace
 
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure) {
-    const float dielectric = 1 - factors.metallic;
     return {.baseColor = factors.baseColor,
             .metallicRoughness = {factors.metallic, factors.roughness},
-            .reflectance = {0.96f * dielectric, factors.metallic, 0.04f * dielectric},
+            .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
             .occlusion = {factors.occlusionStrength, 1 - factors.occlusionStrength},
             .emissive = scaled(factors.emissive, exposure),
@@ -121,7 +130,6 @@ constexpr Field kFields[] = {
     {Block::Material, "uOcclusion", offsetof(MaterialBlock, occlusion)},
     {Block::Material, "uEmissive", offsetof(MaterialBlock, emissive)},
     {Block::Material, "uNormalScale", offsetof(MaterialBlock, normalScale)},
-    {Block::Material, "uNormalMapScale", offsetof(MaterialBlock, normalScale)},
     {Block::Material, "uAlphaCutoff", offsetof(MaterialBlock, alphaCutoff)},
     {Block::Material, "uUv0Transform", offsetof(MaterialBlock, uv0Transform)},
     {Block::Material, "uUv1Transform", offsetof(MaterialBlock, uv1Transform)},

@@ -5,5 +5,5 @@ uniform vec3 u${light}Radiance; // lights: linear intensity / pi
 //! main
   vec3 to${light} = u${light}Position.xyz + vToCamera;
   float distance${light} = dot(to${light}, to${light});
-  to${light} *= inversesqrt(max(distance${light}, 1.0e-8));
+  to${light} *= inverseRoot(max(distance${light}, 1.0e-8));
   vec3 radiance${light} = u${light}Radiance * lampFalloff(distance${light}, u${light}Position.w);

@@ -7,7 +7,8 @@ varying vec3 vBitangent;
 // texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
 vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
   vec3 n = texel - 0.5;
-  return normalize(tangent * n.x + bitangent * n.y + normal * n.z);
+  n = tangent * n.x + bitangent * n.y + normal * n.z;
+  return n * inverseRoot(dot(n, n));
 }
 //! main
   vec3 normal = mapNormal(texture2D(uNormalTexture, ${uv}).xyz, vTangent, vBitangent, vNormal);

@@ -1,3 +1,3 @@
 // The interpolated normal, to unit length.
 //! main
-  vec3 normal = normalize(vNormal);
+  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));

@@ -2,8 +2,11 @@
 //! functions
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(float metallic, float roughness) {
-  float alpha = max(roughness, 0.045) * max(roughness, 0.045);
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, alpha, alpha * alpha);
+  float r = max(roughness, 0.045);
+  float alpha = r * r;
+  float alpha2 = alpha * alpha;
+  vec2 smith = vec2(2.0 - 2.0 * alpha, alpha);
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, 1.0 - alpha2, smith, 0.5 * alpha2);
 }
 //! main
   Surface surface = makeSurface(metallic, roughness);

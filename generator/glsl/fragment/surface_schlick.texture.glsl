@@ -2,7 +2,8 @@
 //! functions
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(float metallic, float roughness) {
-  float alpha = max(roughness, 0.045) * max(roughness, 0.045);
+  float r = max(roughness, 0.045);
+  float alpha = r * r;
   float alpha2 = alpha * alpha;
   vec2 smith = vec2(1.0 - 0.5 * alpha, 0.5 * alpha);
   return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, 1.0 - alpha2, smith, 0.25 * alpha2);

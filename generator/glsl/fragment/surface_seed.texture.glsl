@@ -1,14 +1,13 @@
 // Metalness and roughness by texture.
 //! functions
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size. The
-// specular layer takes its share from each channel of the base colour.
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(vec3 base, float metallic, float roughness) {
-  float alpha = max(roughness, 0.045) * max(roughness, 0.045);
-  float alpha2 = alpha * alpha;
+  float r = max(roughness, 0.045);
+  float alpha2 = r * r * r * r;
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
-  vec3 diffuse = (1.0 - metallic) * (1.0 - dielectric - metallic * base);
-  return Surface(diffuse, metallic, dielectric, 1.0 - alpha2, vec2(1.0 - k, k), 0.25 * alpha2);
+  vec3 scattered = (1.0 - metallic) * (1.0 - dielectric - metallic * base);
+  return Surface(scattered, metallic, dielectric, 1.0 - alpha2, vec2(1.0 - k, k), 0.25 * alpha2);
 }
 //! main
   Surface surface = makeSurface(base.rgb, metallic, roughness);

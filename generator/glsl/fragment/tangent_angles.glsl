@@ -7,5 +7,5 @@ vec4 lightAngles(vec3 normal, float inverseLength, vec4 toLight, vec3 halfVector
   return vec4(nDotL, nDotH * nDotH, dot(normal, normal) * (dot(halfVector, halfVector) + 1.0e-5), toLight.w);
 }
 //! main
-  float inverseLength = inversesqrt(dot(normal, normal));
+  float inverseLength = inverseRoot(dot(normal, normal));
   float nDotV = max(dot(normal, vHalfSun0 - vToSun0.xyz) * inverseLength, 1.0e-4);

@@ -39,8 +39,8 @@ struct MaterialFactors {
 struct MaterialBlock {
     Float4 baseColor;
     Float2 metallicRoughness; ///< The factors, for textured materials.
-    Float3 reflectance;       ///< 0.96 (1 - m), m, 0.04 (1 - m)
-    Float4 lobe;              ///< By BRDF: see the snippets surface_*.glsl
+    Float4 reflectance;       ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base
+    Float3 lobe;              ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
     Float2 occlusion;         ///< strength, 1 - strength
     Float3 emissive;
     float normalScale;
