@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+#include <glm/vec3.hpp>
+
+#include "franken/generator/pack.h"
+#include "franken/image.h"
+#include "franken/result.h"
+
+/// The light that comes from far away, from all around. It is loaded and kept on the CPU in linear floats;
+/// from there come what shaders need: nine coefficients for rough and matt surfaces, and textures of 8 bits
+/// a channel, which is all that GLES2 has on a Raspberry Pi. Nothing here needs GL.
+namespace franken {
+
+/// A sky, as a picture. World space has +Y up and is right-handed; -Z is ahead and +X to the right.
+struct Environment {
+    enum class Layout {
+        /// One picture of everything. A direction (x, y, z) of unit length lies at u = 0.5 + atan2(x, -z) / 2
+        /// pi
+        /// and v = acos(y) / pi, v = 0 in the top row: straight up is above, -Z in the middle, +X at u =
+        /// 0.75.
+        Equirect,
+        /// Six square faces, one below the other: +X, -X, +Y, -Y, +Z, -Z, each as glTexImage2D takes it for
+        /// its side of a cube map (OpenGL ES 2.0, table 3.21).
+        Cube,
+    };
+
+    Layout layout = Layout::Equirect;
+    int width = 0;                 ///< Texels; of one face for Layout::Cube. At least 1 after loading.
+    int height = 0;                ///< Texels; six times the width for Layout::Cube.
+    std::vector<glm::vec3> texels; ///< width * height radiances, rows from top to bottom; finite and >= 0.
+};
+
+/// The largest width of a picture of the sky. Twice what the largest texture of a Pi can show; the texels of
+/// such a sky fill 400 MB.
+inline constexpr int kMaxSkyWidth = 8192;
+
+/// Loads a sky from one of
+/// - a picture twice as wide as high: Layout::Equirect;
+/// - a picture of 4 x 3 squares: a cross with +Y above and -Y below the second square of -X, +Z, +X, -Z;
+/// - a picture of 3 x 4 squares: a cross with -X and +X beside the second square of +Y, +Z, -Y, -Z, the last
+///   one upside down;
+/// - a folder with six pictures, whose names without extension are, or end in, px nx py ny pz nz after a
+///   character that is no letter.
+/// Pictures are Radiance .hdr (its EXPOSURE and GAMMA lines are not applied, as in most programs), or PNG and
+/// JPEG, which are taken as sRGB. The squares of crosses and the faces of folders are oriented as cube map
+/// faces; seen by a person, each is then a mirror image, and neighbours in a cross fit together.
+///
+/// Fails with "sky.file" (cannot be read), "sky.shape" (another aspect ratio, faces missing or of different
+/// sizes), "hdr.format", "hdr.size" or an error of decodeImage().
+Result<Environment> loadEnvironment(const std::filesystem::path& path);
+
+/// Likewise, from six pictures in the order +X, -X, +Y, -Y, +Z, -Z.
+Result<Environment> loadEnvironment(const std::array<std::filesystem::path, 6>& faces);
+
+/// Radiance from a direction (any length but 0), interpolated between the four nearest texels.
+glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction);
+
+/// Projects the radiance of all texels, each weighted by its solid angle, on the first nine real spherical
+/// harmonics. packSky() makes an irradiance of them (Ramamoorthi and Hanrahan, "An Efficient Representation
+/// for Irradiance Environment Maps", 2001).
+SkyCoefficients skyCoefficients(const Environment& sky);
+
+/// The faces of a cube map, ready for glTexImage2D. Texels hold sqrt(radiance / range) as RGB times a shared
+/// alpha: radiance = (rgb * a)^2 * range. The root puts more codes where eyes see more.
+struct SkyCube {
+    int size = 0;                ///< Of an edge, texels.
+    float range = 0;             ///< The largest radiance that a texel can hold.
+    std::array<Image, 6> images; ///< +X, -X, +Y, -Y, +Z, -Z.
+};
+
+/// The least range that a SkyCube gets, so that skies of one scene differ little in precision.
+inline constexpr float kMinSkyRange = 64;
+
+/// Resamples the sky to a cube of that size (1 to kMaxSkyWidth / 4), each texel the mean over its area, and
+/// encodes it. The range is the brightest texel's, or kMinSkyRange if that is more.
+SkyCube encodeSkyCube(const Environment& sky, int size);
+
+} // namespace franken
