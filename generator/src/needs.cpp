@@ -27,6 +27,7 @@ void findLight(const Permutation& p, Needs& n) {
     const bool frameless = n.ambient && p.ambient == Ambient::Sky;
     n.tangentSpace =
         n.vertexSuns && n.normalMap && p.suns <= 2 && !frameless && !(n.turned && p.facingWorkaround);
+    n.fewSuns = n.direct && !n.vertexSuns && p.suns <= 2 && p.lamps == 0 && !frameless;
     n.toCamera = n.direct || (n.turned && p.facingWorkaround);
 }
 

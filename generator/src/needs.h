@@ -17,6 +17,7 @@ struct Needs {
     bool normalMap;    ///< ... from a map.
     bool tangentSpace; ///< Suns are brought into tangent space, per vertex.
     bool vertexSuns;   ///< Suns' vectors come from the vertex shader.
+    bool fewSuns;      ///< One or two suns per pixel, and no one else who wants a unit normal.
     bool turned;       ///< The normal is turned on back faces.
     bool toCamera;     ///< The vector to the eye, per pixel.
     bool metallic;     ///< Metalness.

@@ -4,8 +4,8 @@
 vec4 lightAngles(vec3 normal, float inverseLength, vec4 toLight, vec3 halfVector) {
   float nDotL = max(dot(normal, toLight.xyz) * inverseLength, 0.0);
   float nDotH = dot(normal, halfVector);
-  return vec4(nDotL, nDotH * nDotH, dot(normal, normal) * (dot(halfVector, halfVector) + 1.0e-5), toLight.w);
+  return vec4(nDotL, nDotH * nDotH, dot(normal, normal) * dot(halfVector, halfVector), toLight.w);
 }
 //! main
   float inverseLength = inverseRoot(dot(normal, normal));
-  float nDotV = max(dot(normal, vHalfSun0 - vToSun0.xyz) * inverseLength, 1.0e-4);
+  float nDotV = max((dot(normal, vHalfSun0) - dot(normal, vToSun0.xyz)) * inverseLength, 1.0e-4);

@@ -4,7 +4,7 @@
 // c: linear radiance, 0 and up. Returns 0-1.
 vec3 toneMap(vec3 c) {
   float low = min(c.r, min(c.g, c.b));
-  c -= low < 0.08 ? low - 6.25 * low * low : 0.04;
+  c = max(c - (low < 0.08 ? low - 6.25 * low * low : 0.04), 0.0);
   float peak = max(c.r, max(c.g, c.b));
   float over = max(peak - 0.76, 0.0);
   float compressed = over > 0.0 ? 1.0 - 0.0576 / (over + 0.24) : peak;

@@ -1,0 +1,3 @@
+// The interpolated normal, as it comes.
+//! main
+  vec3 normal = vNormal;
