@@ -55,7 +55,8 @@ Result<EGLDisplay> openDisplay() {
     const EGLDisplay display =
         eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY)
-        return lastError("eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA)", kInstall);
+        return Error{"surface.not-installed", "eglGetPlatformDisplay",
+                     "no EGL driver offers EGL_PLATFORM_SURFACELESS_MESA", kInstall};
     if (!eglInitialize(display, nullptr, nullptr))
         return lastError("eglInitialize", kInstall);
     return display;

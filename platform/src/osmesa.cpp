@@ -36,7 +36,7 @@ struct Library {
 Result<Library> Library::open() {
     void* handle = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
     if (handle == nullptr)
-        return Error{"surface.no-library", kLibrary, dlerror(), kInstall};
+        return Error{"surface.not-installed", "dlopen", dlerror(), kInstall};
     Library library;
     const char* missing = nullptr;
     const auto find = [&]<typename Function>(Function*& function, const char* name) {
@@ -49,7 +49,8 @@ Result<Library> Library::open() {
     find(library.makeCurrent, "OSMesaMakeCurrent");
     find(library.getProcAddress, "OSMesaGetProcAddress");
     if (missing != nullptr)
-        return Error{"surface.no-library", kLibrary, std::string("the library has no ") + missing, kInstall};
+        return Error{"surface.not-installed", kLibrary, std::string("the library has no ") + missing,
+                     kInstall};
     return library;
 }
 

@@ -5,8 +5,10 @@
 #include <cstdlib>
 
 // OSMesa forgets a few hundred bytes with each context; here because whoever tests pictures links this file.
-extern "C" const char* __lsan_default_suppressions(); // NOLINT(bugprone-reserved-identifier)
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
+extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
 namespace franken::test {
 
@@ -36,16 +38,15 @@ Image readBack(const Offscreen& offscreen) {
     Image image{width, height, std::vector<std::uint8_t>(rowBytes * static_cast<std::size_t>(height))};
     offscreen.gl.BindFramebuffer(GL_FRAMEBUFFER, offscreen.surface->framebuffer());
     offscreen.gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-    for (auto low = image.rgba.begin(), high = image.rgba.end(); high - low > width * 4; low += width * 4) {
-        high -= width * 4;
-        std::swap_ranges(low, low + width * 4, high);
-    }
+    const auto row = [&](int y) { return image.rgba.data() + rowBytes * static_cast<std::size_t>(y); };
+    for (int low = 0, high = height - 1; low < high; ++low, --high)
+        std::swap_ranges(row(low), row(low) + rowBytes, row(high));
     return image;
 }
 
 void OffscreenTest::SetUp() {
     Result<Offscreen> offscreen = openOffscreen(GetParam(), m_size);
-    if (!offscreen && offscreen.error().code == "surface.no-library")
+    if (!offscreen && offscreen.error().code == "surface.not-installed")
         GTEST_SKIP() << toString(offscreen.error());
     ASSERT_TRUE(offscreen) << toString(offscreen.error());
     m_offscreen = *std::move(offscreen);

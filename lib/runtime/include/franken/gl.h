@@ -7,7 +7,8 @@
 
 #include <functional>
 
-/// Every function of OpenGL ES 2.0 (the Khronos specification 2.0.25), without the prefix "gl".
+/// All 142 functions of OpenGL ES 2.0 (Khronos, "OpenGL ES Common Profile Specification", version 2.0.25),
+/// without the prefix "gl". FRANKEN_GL_FUNCTIONS(X) expands X(name) for each.
 // clang-format off
 #define FRANKEN_GL_FUNCTIONS(X)                                                                              \
     X(ActiveTexture) X(AttachShader) X(BindAttribLocation) X(BindBuffer) X(BindFramebuffer)                  \
@@ -53,7 +54,7 @@ using GetProcAddress = std::function<void*(const char* name)>;
 /// to the contexts of the driver that it was loaded from; the context must be current where it is used. It is
 /// plain data (about 1 KiB): whoever draws keeps a copy or a pointer, as it likes.
 struct Gl {
-#define FRANKEN_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
+#define FRANKEN_GL_MEMBER(name) decltype(&::gl##name) name = nullptr; // NOLINT(bugprone-macro-parentheses)
     FRANKEN_GL_FUNCTIONS(FRANKEN_GL_MEMBER)
 #undef FRANKEN_GL_MEMBER
 

@@ -112,7 +112,7 @@ Result<Backend> parseBackend(std::string_view text);
 
 /// Makes a surface of that backend, which is current afterwards (where it fails, none may be). Fails with
 /// - `surface.options` for a size or depth out of range,
-/// - `surface.no-library` where the backend is not installed: it names the Debian package,
+/// - `surface.not-installed` where the backend is not there at all: it names the Debian packages,
 /// - `surface.driver` where a driver is missing or refuses: it names the call and its error.
 ///
 /// Which software rasteriser draws is Mesa's choice, through its environment: GALLIUM_DRIVER=softpipe or
