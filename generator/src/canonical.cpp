@@ -119,14 +119,26 @@ std::optional<Error> findContradiction(const Permutation& p) {
     return std::nullopt;
 }
 
+// Two ways to ask for the same program become one: equal texts have equal keys.
+void unifyViews(Canonical& canonical) {
+    Permutation& p = canonical.permutation;
+    if (p.program != Program::Surface || p.view != View::BaseColor)
+        return;
+    p.view = View::Shaded;
+    p.shading = Shading::Unlit;
+    canonical.dropped.push_back(
+        {"view-basecolor", "'unlit' stands for it: an unlit surface shows its base colour"});
+}
+
 } // namespace
 
 Result<Canonical> canonicalise(const Permutation& permutation) {
     if (auto error = findContradiction(permutation))
         return *error;
-    Canonical canonical;
+    Canonical canonical{permutation, {}};
+    unifyViews(canonical);
     canonical.permutation = reduce(
-        permutation, [](const Permutation& p) { return plan(p); },
+        canonical.permutation, [](const Permutation& p) { return plan(p); },
         [&](const Choice& choice, unsigned value) {
             canonical.dropped.push_back(
                 {std::string(choice.options[value].word), reasonFor(permutation, choice)});

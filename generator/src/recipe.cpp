@@ -46,7 +46,8 @@ bool encodesBy(P p, N n) {
 }
 
 constexpr std::array kRecipe = {
-    Row{kVertex, "position", [](P p, N) { return p.program != Program::Sky; }},
+    Row{kVertex, "position", [](P, N n) { return n.material; }},
+    Row{kVertex, "overlay", [](P p, N) { return p.program == Program::Overlay; }},
     Row{kVertex, "sky", [](P p, N) { return p.program == Program::Sky; }},
     Row{kVertex, "uv0", [](P p, N n) { return n.uv0 && !p.uv0Transform; }},
     Row{kVertex, "uv0_transform", [](P p, N n) { return n.uv0 && p.uv0Transform; }},
@@ -122,7 +123,8 @@ constexpr std::array kRecipe = {
     Row{kFragment, "seed", uses<Brdf::Seed>},
     Row{kFragment, "fast", uses<Brdf::Fast>},
     Row{kFragment, "schlick", uses<Brdf::Schlick>},
-    Row{kFragment, "add_light", [](P, N n) { return n.direct; }},
+    Row{kFragment, "add_light", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed; }},
+    Row{kFragment, "add_light.seed", uses<Brdf::Seed>},
     Row{kFragment, "reflectance_uniform", [](P, N n) { return reflectance(n); }},
     Row{kFragment, "surface_factors",
         [](P p, N n) { return n.direct && !n.textured && p.brdf != Brdf::Seed; }},

@@ -171,7 +171,7 @@ const NoOp kNoOps[] = {
     {"sky+basecolor.blend+sun1", "sky", {"basecolor", "blend", "sun1"}},
     {"occlusion+sun1", "sun1", {"occlusion"}},
     {"sun1+lamp1+vertexlight", "sun1+lamp1", {"vertexlight"}},
-    {"basecolor.normal+sun1+view-basecolor", "basecolor+view-basecolor", {"normal", "sun1"}},
+    {"basecolor.normal+sun1+view-basecolor", "basecolor.unlit", {"view-basecolor", "normal", "sun1"}},
     {"metalrough.metalrough-uv1.uv1-transform+ambient",
      "ambient",
      {"metalrough", "metalrough-uv1", "uv1-transform"}},
