@@ -62,7 +62,10 @@ class Enumeration {
 public:
     Enumeration(Allowed allowed, const std::function<bool(const Permutation&)>& visit,
                 const std::function<void(std::uint64_t)>& tried)
-        : m_allowed(std::move(allowed)), m_visit(visit), m_tried(tried), m_least(m_allowed.size() + 1),
+        : m_allowed(std::move(allowed)),
+          m_visit(visit),
+          m_tried(tried),
+          m_least(m_allowed.size() + 1),
           m_most(m_allowed.size() + 1) {
         for (std::size_t i = m_allowed.size(); i-- > 0;) {
             m_least[i] = m_least[i + 1] + (m_allowed[i] & 1U ? 0 : 1);

@@ -8,6 +8,6 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec
   float rim = mirror * light.w;
   float face = mirror - rim;
   float entering = light.x - light.x * light.w;
-  diffuse += radiance * (entering * surface.diffuse + face * surface.metal);
-  specular += radiance * (face * surface.dielectric + rim);
+  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
+  specular += (surface.dielectric * face + rim) * radiance;
 }

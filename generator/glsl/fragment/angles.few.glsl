@@ -4,9 +4,9 @@
 // normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;
 // |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
 vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 scale, float nDotV, vec3 toLight) {
-  float nDotL = max(dot(normal, toLight) * scale.x, 0.0);
+  float nDotL = max(scale.x * dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  float h2 = 2.0 * (dot(toCamera, toLight) * scale.y) + 2.00001;
+  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.00001;
   float x = 1.0 - root(0.25 * h2);
   float x2 = x * x;
   return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);

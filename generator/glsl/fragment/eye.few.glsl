@@ -3,4 +3,4 @@
 // by it.
 //! main
   vec2 scale = vec2(inverseRoot(dot(normal, normal)), inverseRoot(dot(vToCamera, vToCamera)));
-  float nDotV = max(dot(normal, vToCamera) * (scale.x * scale.y), 1.0e-4);
+  float nDotV = max(dot(normal, vToCamera) * (scale.y * scale.x), 1.0e-4);

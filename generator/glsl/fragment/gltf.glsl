@@ -3,8 +3,8 @@
 //! functions
 // pi D V N.L. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
-  float smithV = light.x * root(nDotV * nDotV * surface.smith.x + surface.smith.y);
-  float smithL = nDotV * root(light.x * light.x * surface.smith.x + surface.smith.y);
-  float width = light.z - light.y * surface.slope;
-  return surface.gain * light.x * light.z * light.z * inverse(width * width * (smithV + smithL));
+  float smithV = root((nDotV * surface.smith.x) * nDotV + surface.smith.y) * light.x;
+  float width = light.z - surface.slope * light.y;
+  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
+  return light.z * light.z * surface.gain * light.x * inverse(width * width * (smithV + smithL));
 }

@@ -5,4 +5,4 @@ varying vec3 vTangent;
 varying vec3 vBitangent;
 //! main
   vec3 texel = texture2D(uNormalTexture, ${uv}).xyz - 0.5;
-  vec3 normal = vTangent * texel.x + vBitangent * texel.y + vNormal * texel.z;
+  vec3 normal = texel.x * vTangent + texel.y * vBitangent + vNormal * texel.z;

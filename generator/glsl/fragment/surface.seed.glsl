@@ -1,7 +1,10 @@
-// What a light needs to know of the surface; the specular layer takes its share from each channel.
+// What a light needs to know of the surface; the specular layer takes its share from each channel of the
+// base colour, so that what is scattered is `diffuse` - `tinted` base.
 //! functions
 struct Surface {
-  vec3 diffuse; // (1 - metalness) (1 - F0)
+  vec3 base; // linear base colour
+  float diffuse; // (1 - metalness) (1 - 0.04 (1 - metalness))
+  float tinted; // (1 - metalness) metalness
   float metal; // metalness
   float dielectric; // 0.04 (1 - metalness)
   float slope; // 1 - alpha^2

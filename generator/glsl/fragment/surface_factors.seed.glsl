@@ -2,5 +2,4 @@
 //! declarations
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 //! main
-  vec3 scattered = uReflectance.x - uReflectance.w * base.rgb;
-  Surface surface = Surface(scattered, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  Surface surface = Surface(base.rgb, uReflectance.x, uReflectance.w, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);

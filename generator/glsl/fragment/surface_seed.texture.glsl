@@ -6,8 +6,10 @@ Surface makeSurface(vec3 base, float metallic, float roughness) {
   float alpha2 = r * r * r * r;
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
-  vec3 scattered = (1.0 - metallic) * (1.0 - dielectric - metallic * base);
-  return Surface(scattered, metallic, dielectric, 1.0 - alpha2, vec2(1.0 - k, k), 0.25 * alpha2);
+  float scattered = 1.0 - metallic;
+  vec2 smith = vec2(1.0 - k, k);
+  float gain = 0.25 * alpha2;
+  return Surface(base, scattered - scattered * dielectric, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, gain);
 }
 //! main
   Surface surface = makeSurface(base.rgb, metallic, roughness);
