@@ -1,0 +1,29 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# examples/run.sh [MODEL.gltf|MODEL.glb]: from nothing to a picture, on a machine without a GPU. Installs
+# what is missing, builds, prints the shader that this library is named after, and renders a model of our
+# own and one by others (or MODEL).
+set -eu
+root=$(cd "$(dirname "$0")/.." && pwd)
+bin=$root/build/release/bin
+out=$root/out
+model=${1:-/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb}
+
+"$root/toolchains/install-packages.sh" build
+cd "$root"
+[ -f build/release/build.ninja ] || cmake --preset release >/dev/null
+cmake --build --preset release -- --quiet
+
+echo "The FrankenShader: normal map, ambient colour, one sun"
+echo
+"$bin/frankenshader" dump normal.basecolor+ambient+sun1+seed+decode-none+linear
+
+mkdir -p "$out"
+[ -f "$out/model.glb" ] || "$bin/make_model" "$out/model.glb"
+"$bin/viewer" "$out/model.glb" -o "$out/model.png" --size 800x600 --supersample
+"$bin/viewer" "$model" -o "$out/$(basename "${model%.*}").png" --size 800x600 --supersample
+
+echo
+echo "Pictures:"
+echo "  $out/model.png"
+echo "  $out/$(basename "${model%.*}").png"
