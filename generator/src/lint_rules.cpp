@@ -105,7 +105,7 @@ std::vector<Broken> precision(const ShaderText& shader) {
     for (std::size_t token = 0; token < syntax.tokens.size(); ++token) {
         if (syntax.at(token) == "precision" && syntax.at(token + 2) == "float")
             return {};
-        if (syntax.at(token) != "precision" && syntax.at(token) != "float" && syntax.isType(syntax.at(token)))
+        if (syntax.isType(syntax.at(token)))
             return {{syntax.tokens[token].line, "no 'precision ... float;' stands before this declaration"}};
     }
     return {{1, "there is no 'precision ... float;'"}};

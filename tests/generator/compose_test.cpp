@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+// What compose() says beside the text must agree with the text: the interface and the line map, read back
+// here by other means than the composer's.
+#include "franken/generator/compose.h"
+
+#include "franken/generator/choices.h"
+#include "franken/generator/covering.h"
+#include "population.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+namespace franken {
+namespace {
+
+using namespace test;
+
+std::vector<std::string> linesOf(std::istream& stream) {
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::istringstream stream(text);
+    return linesOf(stream);
+}
+
+std::vector<Permutation> bases() {
+    std::vector<Permutation> all = coveringSet();
+    all.push_back(richSurface());
+    return all;
+}
+
+// "uniform vec3[9] uSky lights 01": one declaration as the text or the interface has it.
+using Declarations = std::multiset<std::string>;
+
+struct FromText {
+    std::string type, count = "1", block;
+    bool vertex = false, fragment = false;
+};
+
+Declarations declarationsInText(const Composed& program) {
+    static const std::regex declaration(
+        R"(^(attribute|varying|uniform) (?:mediump )?(\w+) (\w+)(?:\[(\d+)\])?;(?: // (\w+):.*| // .*)?$)");
+    std::map<std::string, FromText> found;
+    const auto read = [&](const std::string& text, bool FromText::*stage) {
+        for (const std::string& line : linesOf(text))
+            if (std::smatch match; std::regex_match(line, match, declaration)) {
+                FromText& entry = found[match[1].str() + " " + match[3].str()];
+                entry.type = match[2];
+                entry.count = match[4].matched ? match[4].str() : "1";
+                entry.block = match[1] == "uniform" ? match[5].str() : "";
+                EXPECT_FALSE(entry.*stage) << match[3] << " is declared twice";
+                entry.*stage = true;
+            }
+    };
+    read(program.vertex.text, &FromText::vertex);
+    read(program.fragment.text, &FromText::fragment);
+    Declarations declarations;
+    for (const auto& [name, entry] : found)
+        declarations.insert(name + " " + entry.type + "[" + entry.count + "] " + entry.block +
+                            (entry.vertex ? " vertex" : "") + (entry.fragment ? " fragment" : ""));
+    return declarations;
+}
+
+Declarations declarationsInInterface(const Interface& interface) {
+    Declarations declarations;
+    const auto add = [&](const std::string& kind, const std::string& name, Type type, int count,
+                         std::string_view block, bool vertex, bool fragment) {
+        declarations.insert(kind + " " + name + " " + std::string(toGlsl(type)) + "[" +
+                            std::to_string(count) + "] " + std::string(block) + (vertex ? " vertex" : "") +
+                            (fragment ? " fragment" : ""));
+    };
+    for (const Attribute& a : interface.attributes)
+        add("attribute", a.name, a.type, 1, "", true, false);
+    for (const Varying& v : interface.varyings)
+        add("varying", v.name, v.type, 1, "", true, true);
+    for (const Uniform& u : interface.uniforms)
+        add("uniform", u.name, u.type, u.count, toText(u.block), u.vertex, u.fragment);
+    for (const Sampler& s : interface.samplers)
+        add("uniform", s.name, s.type, 1, toText(s.block), false, true);
+    return declarations;
+}
+
+TEST(Compose, InterfaceIsWhatTheTextDeclares) {
+    for (const Permutation& p : bases()) {
+        const Composed program = compose(p);
+        EXPECT_EQ(declarationsInInterface(program.interface), declarationsInText(program)) << toName(p);
+    }
+}
+
+TEST(Compose, LocationsAndUnitsAreFixedAndUnique) {
+    std::map<std::string, int> locations, units;
+    for (const Permutation& p : bases()) {
+        std::set<int> taken;
+        const Interface interface = compose(p).interface;
+        for (const Attribute& a : interface.attributes) {
+            EXPECT_TRUE(a.location >= 0 && a.location < 6) << a.name << " " << a.location;
+            EXPECT_TRUE(taken.insert(a.location).second) << a.name << " in " << toName(p);
+            EXPECT_EQ(locations.try_emplace(a.name, a.location).first->second, a.location);
+        }
+        taken.clear();
+        for (const Sampler& s : interface.samplers) {
+            EXPECT_TRUE(s.unit >= 0 && s.unit < 8) << s.name << " " << s.unit;
+            EXPECT_TRUE(taken.insert(s.unit).second) << s.name << " in " << toName(p);
+            EXPECT_EQ(units.try_emplace(s.name, s.unit).first->second, s.unit);
+        }
+    }
+}
+
+const std::vector<std::string>& snippetLines(const std::string& name) {
+    static std::map<std::string, std::vector<std::string>> files;
+    const auto [entry, isNew] = files.try_emplace(name);
+    if (isNew) {
+        std::ifstream file(FRANKEN_SOURCE_DIR "/generator/glsl/" + name + ".glsl");
+        EXPECT_TRUE(file) << name;
+        entry->second = linesOf(file);
+    }
+    return entry->second;
+}
+
+std::string replaceAll(std::string text, std::string_view what, std::string_view with) {
+    for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+        text.replace(at, what.size(), with);
+    return text;
+}
+
+bool isInstanceOf(const std::string& line, const std::string& pattern) {
+    for (const std::string uv : {"vUv0", "vUv1"})
+        for (const std::string kind : {"Sun", "Lamp"})
+            for (unsigned light = 0; light < Permutation::kMaxLights; ++light) {
+                std::string text = replaceAll(pattern, "${uv}", uv);
+                text = replaceAll(text, "${light}", kind + std::to_string(light));
+                if (replaceAll(text, "${lane}", std::string_view("xyzw").substr(light, 1)) == line)
+                    return true;
+            }
+    return false;
+}
+
+bool isTheComposersOwn(const std::string& line) {
+    return line.empty() || line == "#version 100" || line == "void main() {" || line == "}" ||
+           line.starts_with("//");
+}
+
+void checkLineMap(const ComposedStage& stage, const std::string& folder) {
+    const std::vector<std::string> lines = linesOf(stage.text);
+    ASSERT_EQ(stage.lines.size(), lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const LineOrigin& origin = stage.lines[i];
+        if (origin.snippet.empty()) {
+            EXPECT_TRUE(isTheComposersOwn(lines[i])) << lines[i];
+            continue;
+        }
+        EXPECT_TRUE(origin.snippet.starts_with(folder)) << origin.snippet;
+        const auto& file = snippetLines(std::string(origin.snippet));
+        const auto at = static_cast<std::size_t>(origin.line) - 1;
+        ASSERT_LT(at, file.size()) << origin.snippet;
+        EXPECT_TRUE(isInstanceOf(lines[i], file[at])) << lines[i] << "\nis not\n" << file[at];
+    }
+}
+
+TEST(Compose, LineMapLeadsToTheSnippetsLines) {
+    for (const Permutation& p : bases()) {
+        const Composed program = compose(p);
+        checkLineMap(program.vertex, "vertex/");
+        checkLineMap(program.fragment, "fragment/");
+    }
+}
+
+// Each flag that is on in a stage stands in its head; nothing else does.
+TEST(Compose, HeadNamesTheStageAndItsFlags) {
+    const Composed program = compose(named("basecolor.normal+ambient+sun1+seed+decode-none+linear"));
+    EXPECT_TRUE(program.vertex.text.starts_with("#version 100\n// FrankenShader\n"));
+    EXPECT_NE(program.vertex.text.find("//\n// VERTEX SHADER\n//\n"), std::string::npos);
+    EXPECT_NE(program.fragment.text.find("//\n// FRAGMENT SHADER\n//\n"), std::string::npos);
+    EXPECT_NE(program.vertex.text.find("\n//   normal: 1\n"), std::string::npos);
+    EXPECT_EQ(program.vertex.text.find("//   output"), std::string::npos);
+    EXPECT_EQ(program.vertex.text.find("//   brdf"), std::string::npos);
+    EXPECT_NE(program.fragment.text.find("\n//   brdf: seed\n"), std::string::npos);
+    EXPECT_NE(program.fragment.text.find("\n//   output: linear\n"), std::string::npos);
+}
+
+TEST(Compose, LogsPointAtSnippets) {
+    ComposedStage stage{"a\nb\nc\n", {{{}, 0}, {"fragment/gltf", 15}, {"fragment/eye", 4}}};
+    const std::string gltf = " [generator/glsl/fragment/gltf.glsl:15]\n";
+    EXPECT_EQ(annotateLog("0:2(5): error: x", stage), "0:2(5): error: x" + gltf);
+    EXPECT_EQ(annotateLog("ERROR: 0:2: 'x' : y", stage), "ERROR: 0:2: 'x' : y" + gltf);
+    EXPECT_EQ(annotateLog("0:1(1): x\n0:3(1): y\n", stage),
+              "0:1(1): x\n0:3(1): y [generator/glsl/fragment/eye.glsl:4]\n");
+    for (const std::string log : {"no line", "0:4(1): beyond", "0:99999999999999(1): far", "0:", "0:0(1): x"})
+        EXPECT_EQ(annotateLog(log, stage), log + "\n");
+    EXPECT_EQ(annotateLog("", stage), "");
+}
+
+} // namespace
+} // namespace franken
