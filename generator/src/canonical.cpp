@@ -9,11 +9,11 @@
 namespace franken {
 namespace {
 
-// Resets, in the order of the table and until nothing changes, every choice without which `planOf` gives
-// the same plan. `drop` hears of each.
-template<typename PlanOf, typename Drop>
-Permutation reduce(Permutation permutation, PlanOf planOf, Drop drop) {
-    const std::vector<Step> wanted = planOf(permutation);
+// Resets, in the order of the table and until nothing changes, every choice without which `outlineOf` gives
+// the same. `drop` hears of each.
+template<typename OutlineOf, typename Drop>
+Permutation reduce(Permutation permutation, OutlineOf outlineOf, Drop drop) {
+    const auto wanted = outlineOf(permutation);
     for (bool changed = true; changed;) {
         changed = false;
         for (const Choice& choice : choices()) {
@@ -22,7 +22,7 @@ Permutation reduce(Permutation permutation, PlanOf planOf, Drop drop) {
                 continue;
             Permutation without = permutation;
             choice.set(without, 0);
-            if (planOf(without) != wanted)
+            if (outlineOf(without) != wanted)
                 continue;
             drop(choice, value);
             permutation = without;
@@ -138,7 +138,10 @@ Result<Canonical> canonicalise(const Permutation& permutation) {
     Canonical canonical{permutation, {}};
     unifyViews(canonical);
     canonical.permutation = reduce(
-        canonical.permutation, [](const Permutation& p) { return plan(p); },
+        canonical.permutation,
+        [](const Permutation& p) {
+            return std::pair(outline(p, Stage::Vertex), outline(p, Stage::Fragment));
+        },
         [&](const Choice& choice, unsigned value) {
             canonical.dropped.push_back(
                 {std::string(choice.options[value].word), reasonFor(permutation, choice)});
@@ -148,7 +151,7 @@ Result<Canonical> canonicalise(const Permutation& permutation) {
 
 Permutation withoutNoOps(const Permutation& permutation, Stage stage) {
     return reduce(
-        permutation, [stage](const Permutation& p) { return plan(p, stage); },
+        permutation, [stage](const Permutation& p) { return outline(p, stage); },
         [](const Choice&, unsigned) {});
 }
 

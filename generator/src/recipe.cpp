@@ -194,13 +194,30 @@ constexpr std::array kRecipe = {
         [](P p, N) { return p.program != Program::Sky && p.alpha == Alpha::Blend; }},
 };
 
-std::size_t count(const Permutation& p, Each each) {
+static_assert(kRecipe.size() <= std::bitset<128>().size());
+
+std::uint8_t count(const Permutation& p, Each each) {
     return each == Each::Sun ? p.suns : each == Each::Lamp ? p.lamps : 1;
 }
 
 } // namespace
 
 std::span<const Row> recipe() { return kRecipe; }
+
+Outline outline(const Permutation& p, Stage stage) {
+    const Needs needs = needsOf(p);
+    Outline result{};
+    for (std::size_t row = 0; row < kRecipe.size(); ++row) {
+        const Row& r = kRecipe[row];
+        if (r.stage != stage || count(p, r.each) == 0 || !r.when(p, needs))
+            continue;
+        result.rows.set(row);
+        result.readsUv1.set(row, r.uv && p.*r.uv == UvStream::Uv1);
+        result.suns = r.each == Each::Sun ? p.suns : result.suns;
+        result.lamps = r.each == Each::Lamp ? p.lamps : result.lamps;
+    }
+    return result;
+}
 
 std::vector<Step> plan(const Permutation& p, Stage stage) {
     const Needs needs = needsOf(p);

@@ -3,6 +3,7 @@
 
 #include "needs.h"
 
+#include <bitset>
 #include <span>
 #include <string_view>
 
@@ -29,6 +30,16 @@ struct Step {
     UvStream uv;
     friend bool operator==(const Step&, const Step&) = default;
 };
+
+/// What tells the plan of one stage from another's, quick to make and to compare.
+struct Outline {
+    std::bitset<128> rows;     ///< Those that apply.
+    std::bitset<128> readsUv1; ///< Those whose ${uv} stands for stream 1.
+    std::uint8_t suns, lamps;  ///< How often their rows repeat; 0 where there are none.
+    friend bool operator==(const Outline&, const Outline&) = default;
+};
+
+Outline outline(const Permutation& permutation, Stage stage);
 
 /// A permutation's whole text in terms of the recipe, both stages. Equal plans are equal texts.
 std::vector<Step> plan(const Permutation& permutation);

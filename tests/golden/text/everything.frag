@@ -1,0 +1,211 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   vertexColor: 1
+//   metallicRoughness: metalrough
+//   normal: 1
+//   occlusion: occlusion-packed
+//   emissive: emissive
+//   alpha: mask
+//   sides: 1
+//   ambient: sh
+//   suns: sun2
+//   lamps: lamp2
+//   spots: 1
+//   toneMap: aces
+//   output: srgb-fast
+//   dither: 1
+//
+// FRAGMENT SHADER
+//
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+varying vec2 vUv0;
+varying vec4 vColor;
+varying vec3 vNormal;
+varying vec3 vToCamera;
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform float uAlphaCutoff; // material: 0-1
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+varying vec3 vTangent;
+varying vec3 vBitangent;
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+uniform vec2 uOcclusion; // material: strength, 1 - strength
+uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
+uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+uniform vec3 uSun1Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
+uniform vec4 uLamp0Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uLamp0Radiance; // lights: linear intensity / pi
+uniform vec3 uLamp0Axis; // lights: where it shines, unit, world space
+uniform vec2 uLamp0Cone; // lights: scale and offset
+uniform vec4 uLamp1Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uLamp1Radiance; // lights: linear intensity / pi
+uniform vec3 uLamp1Axis; // lights: where it shines, unit, world space
+uniform vec2 uLamp1Cone; // lights: scale and offset
+uniform vec3 uEmissive; // material: linear radiance where the texture is white
+uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
+uniform vec3 uDither; // frame: amplitude per channel, in output units: 1/255 for 8 bits, 1/31 for 5
+
+// The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
+vec3 decodeSrgb(vec3 c) {
+  vec3 low = c * (1.0 / 12.92);
+  vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
+  return mix(high, low, step(c, vec3(0.04045)));
+}
+
+float root(float x) {
+  return sqrt(x);
+}
+
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}
+
+float inverse(float x) {
+  return 1.0 / x;
+}
+
+// texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
+vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
+  vec3 n = texel - 0.5;
+  n = tangent * n.x + bitangent * n.y + normal * n.z;
+  return n * inverseRoot(dot(n, n));
+}
+
+struct Surface {
+  float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
+  float metal; // metalness
+  float dielectric; // 0.04 (1 - metalness)
+  float slope; // 1 - alpha^2
+  vec2 smith; // coefficients of the shadowing, by BRDF
+  float gain; // what the shadowing's coefficients do not hold
+};
+
+// pi D V N.L. light: see lightAngles.
+float lobe(vec4 light, float nDotV, Surface surface) {
+  float smithV = root((nDotV * surface.smith.x) * nDotV + surface.smith.y) * light.x;
+  float width = light.z - surface.slope * light.y;
+  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
+  return light.z * light.z * surface.gain * light.x * inverse(width * width * (smithV + smithL));
+}
+
+// light: see lightAngles. radiance: irradiance / pi.
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+  float mirror = lobe(light, nDotV, surface);
+  float rim = mirror * light.w;
+  float face = mirror - rim;
+  float entering = light.x - light.x * light.w;
+  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
+  specular += (surface.dielectric * face + rim) * radiance;
+}
+
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
+Surface makeSurface(float metallic, float roughness) {
+  float r = max(roughness, 0.045);
+  float alpha2 = r * r * r * r;
+  float slope = 1.0 - alpha2;
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
+}
+
+// n: unit, world space. Returns linear radiance of a white surface.
+vec3 skyLight(vec3 n) {
+  return uSky[0] + uSky[1] * n.y + uSky[2] * n.z + uSky[3] * n.x
+       + uSky[4] * (n.x * n.y) + uSky[5] * (n.y * n.z) + uSky[6] * (3.0 * n.z * n.z - 1.0)
+       + uSky[7] * (n.x * n.z) + uSky[8] * (n.x * n.x - n.y * n.y);
+}
+
+// All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
+vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
+  float nDotL = max(dot(normal, toLight), 0.0);
+  float nDotH = nDotL + nDotV;
+  float h2 = 2.0 * dot(toCamera, toLight) + 2.00001;
+  float x = 1.0 - root(0.25 * h2);
+  float x2 = x * x;
+  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+}
+
+// Inverse square with a window at the range (KHR_lights_punctual, "Range Property"). distance2 in m^2;
+// inverseRange2 = 1 / range^2, 0 where the range is infinite.
+float lampFalloff(float distance2, float inverseRange2) {
+  float d = distance2 * inverseRange2;
+  return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
+}
+
+// axis: where the lamp shines, unit. cone: scale and offset that packLamp made from both angles.
+float lampCone(vec3 toLamp, vec3 axis, vec2 cone) {
+  float c = clamp(cone.y - dot(toLamp, axis) * cone.x, 0.0, 1.0);
+  return c * c;
+}
+
+// c: linear radiance, 0 and up. Returns 0-1, and slightly above for the brightest.
+vec3 toneMap(vec3 c) {
+  return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
+}
+
+// The power part of the sRGB curve alone: below code 10 it is too dark. c: linear light, 0 and up.
+vec3 encodeDisplay(vec3 c) {
+  return 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+}
+
+// The 2x2 matrix 0 2 / 3 1, over 4. p: whole pixels.
+float bayer2(vec2 p) {
+  p = mod(p, 2.0);
+  return fract(0.5 * p.x + 0.75 * p.y);
+}
+
+// The 4x4 matrix from two 2x2 ones, centred: -15/32 to +15/32.
+float bayer4(vec2 p) {
+  return bayer2(floor(0.5 * p)) * 0.25 + bayer2(p) - 0.46875;
+}
+
+void main() {
+  vec4 base = texture2D(uBaseColorTexture, vUv0);
+  base.rgb = decodeSrgb(base.rgb);
+  base *= uBaseColor;
+  base *= vColor;
+  if (base.a < uAlphaCutoff) discard;
+  vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
+  if (!gl_FrontFacing) normal = -normal;
+  vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
+  float metallic = orm.b * uMetallicRoughness.x;
+  float roughness = orm.g * uMetallicRoughness.y;
+  float occlusion = orm.r * uOcclusion.x + uOcclusion.y;
+  Surface surface = makeSurface(metallic, roughness);
+  vec3 diffuse = max(skyLight(normal), 0.0);
+  diffuse *= 0.96 - 0.96 * metallic;
+  diffuse *= occlusion;
+  vec3 specular = vec3(0.0);
+  vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
+  float nDotV = max(dot(normal, toCamera), 1.0e-4);
+  vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
+  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
+  vec4 anglesSun1 = lightAngles(normal, nDotV, toCamera, uSun1Direction);
+  addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
+  vec3 toLamp0 = uLamp0Position.xyz + vToCamera;
+  float distanceLamp0 = dot(toLamp0, toLamp0);
+  toLamp0 *= inverseRoot(max(distanceLamp0, 1.0e-8));
+  vec3 radianceLamp0 = uLamp0Radiance * lampFalloff(distanceLamp0, uLamp0Position.w);
+  radianceLamp0 *= lampCone(toLamp0, uLamp0Axis, uLamp0Cone);
+  vec4 anglesLamp0 = lightAngles(normal, nDotV, toCamera, toLamp0);
+  addLight(radianceLamp0, anglesLamp0, nDotV, surface, diffuse, specular);
+  vec3 toLamp1 = uLamp1Position.xyz + vToCamera;
+  float distanceLamp1 = dot(toLamp1, toLamp1);
+  toLamp1 *= inverseRoot(max(distanceLamp1, 1.0e-8));
+  vec3 radianceLamp1 = uLamp1Radiance * lampFalloff(distanceLamp1, uLamp1Position.w);
+  radianceLamp1 *= lampCone(toLamp1, uLamp1Axis, uLamp1Cone);
+  vec4 anglesLamp1 = lightAngles(normal, nDotV, toCamera, toLamp1);
+  addLight(radianceLamp1, anglesLamp1, nDotV, surface, diffuse, specular);
+  vec3 color = base.rgb * diffuse + specular;
+  color += uEmissive * decodeSrgb(texture2D(uEmissiveTexture, vUv0).rgb);
+  color = toneMap(color);
+  color = encodeDisplay(color);
+  color += bayer4(floor(gl_FragCoord.xy)) * uDither;
+  gl_FragColor = vec4(color, 1.0);
+}

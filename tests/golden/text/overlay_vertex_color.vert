@@ -1,0 +1,16 @@
+#version 100
+// FrankenShader
+//   program: overlay
+//   vertexColor: 1
+//
+// VERTEX SHADER
+//
+attribute vec3 aPosition; // z is not used
+uniform mat3 uOverlay; // object: (x, y, 1) in the overlay's units to clip space
+attribute vec4 aColor;
+varying vec4 vColor;
+
+void main() {
+  gl_Position = vec4((uOverlay * vec3(aPosition.xy, 1.0)).xy, 0.0, 1.0);
+  vColor = aColor;
+}

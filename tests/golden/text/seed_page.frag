@@ -1,0 +1,100 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   normal: 1
+//   ambient: ambient
+//   suns: sun1
+//   brdf: seed
+//   decode: decode-none
+//   output: linear
+//
+// FRAGMENT SHADER
+//
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+varying vec2 vUv0;
+varying vec3 vNormal;
+varying vec3 vToCamera;
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+varying vec3 vTangent;
+varying vec3 vBitangent;
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+uniform vec3 uAmbient; // lights: linear radiance
+uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+
+float root(float x) {
+  return sqrt(x);
+}
+
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}
+
+float inverse(float x) {
+  return 1.0 / x;
+}
+
+struct Surface {
+  vec3 base; // linear base colour
+  float diffuse; // (1 - metalness) (1 - 0.04 (1 - metalness))
+  float tinted; // (1 - metalness) metalness
+  float metal; // metalness
+  float dielectric; // 0.04 (1 - metalness)
+  float slope; // 1 - alpha^2
+  vec2 smith; // coefficients of the shadowing
+  float gain; // what the shadowing's coefficients do not hold
+};
+
+// pi D V N.L. light: see lightAngles.
+float lobe(vec4 light, float nDotV, Surface surface) {
+  float width = light.z - light.y * surface.slope;
+  float smithV = nDotV * surface.smith.x + surface.smith.y;
+  float smithL = surface.smith.x * light.x + surface.smith.y;
+  float kept = min(nDotV * (4000.0 * light.x), 1.0);
+  return light.x * kept * surface.gain * inverse(width * width * smithV * smithL) * (light.z * light.z);
+}
+
+// light: see lightAngles. radiance: irradiance / pi.
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+  float mirror = lobe(light, nDotV, surface);
+  float rim = mirror * light.w;
+  float face = mirror - rim;
+  float entering = light.x - light.x * light.w;
+  vec3 kept = entering * surface.tinted * surface.base;
+  diffuse += radiance * (entering * surface.diffuse + face * surface.metal - kept);
+  specular += radiance * (face * surface.dielectric + rim);
+}
+
+// normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;
+// |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
+vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 scale, float nDotV, vec3 toLight) {
+  float nDotL = max(scale.x * dot(normal, toLight), 0.0);
+  float nDotH = nDotL + nDotV;
+  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.00001;
+  float x = 1.0 - root(0.25 * h2);
+  float x2 = x * x;
+  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+}
+
+void main() {
+  vec4 base = texture2D(uBaseColorTexture, vUv0);
+  base *= uBaseColor;
+  vec3 texel = texture2D(uNormalTexture, vUv0).xyz - 0.5;
+  vec3 normal = texel.x * vTangent + texel.y * vBitangent + vNormal * texel.z;
+  Surface surface = Surface(base.rgb, uReflectance.x, uReflectance.w, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  vec3 diffuse = uAmbient;
+  vec3 specular = vec3(0.0);
+  vec2 scale = vec2(inverseRoot(dot(normal, normal)), inverseRoot(dot(vToCamera, vToCamera)));
+  float nDotV = max(dot(normal, vToCamera) * (scale.y * scale.x), 1.0e-4);
+  vec4 anglesSun0 = lightAngles(normal, vToCamera, scale, nDotV, uSun0Direction);
+  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
+  vec3 color = base.rgb * diffuse + specular;
+  gl_FragColor = vec4(color, 1.0);
+}

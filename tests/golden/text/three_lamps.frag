@@ -1,0 +1,135 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   lamps: lamp3
+//   toneMap: reinhard
+//
+// FRAGMENT SHADER
+//
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+varying vec2 vUv0;
+varying vec3 vNormal;
+varying vec3 vToCamera;
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+uniform vec4 uLamp0Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uLamp0Radiance; // lights: linear intensity / pi
+uniform vec4 uLamp1Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uLamp1Radiance; // lights: linear intensity / pi
+uniform vec4 uLamp2Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uLamp2Radiance; // lights: linear intensity / pi
+
+// The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
+vec3 decodeSrgb(vec3 c) {
+  vec3 low = c * (1.0 / 12.92);
+  vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
+  return mix(high, low, step(c, vec3(0.04045)));
+}
+
+float root(float x) {
+  return sqrt(x);
+}
+
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}
+
+float inverse(float x) {
+  return 1.0 / x;
+}
+
+struct Surface {
+  float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
+  float metal; // metalness
+  float dielectric; // 0.04 (1 - metalness)
+  float slope; // 1 - alpha^2
+  vec2 smith; // coefficients of the shadowing, by BRDF
+  float gain; // what the shadowing's coefficients do not hold
+};
+
+// pi D V N.L. light: see lightAngles.
+float lobe(vec4 light, float nDotV, Surface surface) {
+  float smithV = root((nDotV * surface.smith.x) * nDotV + surface.smith.y) * light.x;
+  float width = light.z - surface.slope * light.y;
+  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
+  return light.z * light.z * surface.gain * light.x * inverse(width * width * (smithV + smithL));
+}
+
+// light: see lightAngles. radiance: irradiance / pi.
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+  float mirror = lobe(light, nDotV, surface);
+  float rim = mirror * light.w;
+  float face = mirror - rim;
+  float entering = light.x - light.x * light.w;
+  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
+  specular += (surface.dielectric * face + rim) * radiance;
+}
+
+// All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
+vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
+  float nDotL = max(dot(normal, toLight), 0.0);
+  float nDotH = nDotL + nDotV;
+  float h2 = 2.0 * dot(toCamera, toLight) + 2.00001;
+  float x = 1.0 - root(0.25 * h2);
+  float x2 = x * x;
+  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+}
+
+// Inverse square with a window at the range (KHR_lights_punctual, "Range Property"). distance2 in m^2;
+// inverseRange2 = 1 / range^2, 0 where the range is infinite.
+float lampFalloff(float distance2, float inverseRange2) {
+  float d = distance2 * inverseRange2;
+  return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
+}
+
+// c: linear radiance, 0 and up. Returns 0-1.
+vec3 toneMap(vec3 c) {
+  return c / (c + 1.0);
+}
+
+// The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
+vec3 encodeDisplay(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+  return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
+}
+
+void main() {
+  vec4 base = texture2D(uBaseColorTexture, vUv0);
+  base.rgb = decodeSrgb(base.rgb);
+  base *= uBaseColor;
+  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));
+  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  vec3 diffuse = vec3(0.0);
+  vec3 specular = vec3(0.0);
+  vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
+  float nDotV = max(dot(normal, toCamera), 1.0e-4);
+  vec3 toLamp0 = uLamp0Position.xyz + vToCamera;
+  float distanceLamp0 = dot(toLamp0, toLamp0);
+  toLamp0 *= inverseRoot(max(distanceLamp0, 1.0e-8));
+  vec3 radianceLamp0 = uLamp0Radiance * lampFalloff(distanceLamp0, uLamp0Position.w);
+  vec4 anglesLamp0 = lightAngles(normal, nDotV, toCamera, toLamp0);
+  addLight(radianceLamp0, anglesLamp0, nDotV, surface, diffuse, specular);
+  vec3 toLamp1 = uLamp1Position.xyz + vToCamera;
+  float distanceLamp1 = dot(toLamp1, toLamp1);
+  toLamp1 *= inverseRoot(max(distanceLamp1, 1.0e-8));
+  vec3 radianceLamp1 = uLamp1Radiance * lampFalloff(distanceLamp1, uLamp1Position.w);
+  vec4 anglesLamp1 = lightAngles(normal, nDotV, toCamera, toLamp1);
+  addLight(radianceLamp1, anglesLamp1, nDotV, surface, diffuse, specular);
+  vec3 toLamp2 = uLamp2Position.xyz + vToCamera;
+  float distanceLamp2 = dot(toLamp2, toLamp2);
+  toLamp2 *= inverseRoot(max(distanceLamp2, 1.0e-8));
+  vec3 radianceLamp2 = uLamp2Radiance * lampFalloff(distanceLamp2, uLamp2Position.w);
+  vec4 anglesLamp2 = lightAngles(normal, nDotV, toCamera, toLamp2);
+  addLight(radianceLamp2, anglesLamp2, nDotV, surface, diffuse, specular);
+  vec3 color = base.rgb * diffuse + specular;
+  color = toneMap(color);
+  color = encodeDisplay(color);
+  gl_FragColor = vec4(color, 1.0);
+}

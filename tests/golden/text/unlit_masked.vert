@@ -1,0 +1,23 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   vertexColor: 1
+//   baseColorUv: 1
+//   uv1Transform: 1
+//   shading: 1
+//
+// VERTEX SHADER
+//
+attribute vec3 aPosition;
+uniform mat4 uModelViewProjection; // object: model space to clip space
+attribute vec2 aUv1;
+uniform mat3 uUv1Transform; // material: KHR_texture_transform
+varying vec2 vUv1;
+attribute vec4 aColor;
+varying vec4 vColor;
+
+void main() {
+  gl_Position = uModelViewProjection * vec4(aPosition, 1.0);
+  vUv1 = (uUv1Transform * vec3(aUv1, 1.0)).xy;
+  vColor = aColor;
+}

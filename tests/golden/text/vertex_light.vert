@@ -1,0 +1,35 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   suns: sun1
+//   lightVectors: 1
+//
+// VERTEX SHADER
+//
+attribute vec3 aPosition;
+uniform mat4 uModelViewProjection; // object: model space to clip space
+attribute vec2 aUv0;
+varying vec2 vUv0;
+attribute vec3 aNormal;
+uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
+varying vec3 vNormal;
+uniform mat4 uModel; // object: model space to world space
+uniform vec3 uCameraPosition; // frame: world space
+varying vec3 vToCamera;
+varying vec4 vVDotL;
+varying vec4 vFresnel;
+uniform mediump vec3 uSun0Direction; // lights: towards the sun, unit, world space
+
+void main() {
+  gl_Position = uModelViewProjection * vec4(aPosition, 1.0);
+  vUv0 = aUv0;
+  vec3 normal = normalize(uNormalMatrix * aNormal);
+  vNormal = normal;
+  vec3 toCamera = uCameraPosition - (uModel * vec4(aPosition, 1.0)).xyz;
+  toCamera = normalize(toCamera);
+  vToCamera = toCamera;
+  vVDotL = vec4(0.0);
+  vVDotL.x = dot(toCamera, uSun0Direction);
+  vec4 x = 1.0 - sqrt(0.5 * vVDotL + 0.5);
+  vFresnel = x * x * x * x * x;
+}

@@ -1,0 +1,48 @@
+#version 100
+// FrankenShader
+//   normal: 1
+//   suns: sun2
+//   lightVectors: 1
+//
+// VERTEX SHADER
+//
+attribute vec3 aPosition;
+uniform mat4 uModelViewProjection; // object: model space to clip space
+attribute vec2 aUv0;
+varying vec2 vUv0;
+attribute vec3 aNormal;
+uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
+uniform mat4 uModel; // object: model space to world space
+uniform vec3 uCameraPosition; // frame: world space
+attribute vec4 aTangent; // xyz: direction of +U; w: +1 or -1, the bitangent's side
+uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
+varying vec4 vToSun0;
+varying vec3 vHalfSun0;
+uniform vec3 uSun1Direction; // lights: towards the sun, unit, world space
+varying vec4 vToSun1;
+varying vec3 vHalfSun1;
+
+vec3 safeNormalize(vec3 v) {
+  return v * inversesqrt(max(dot(v, v), 1.0e-12));
+}
+
+void main() {
+  gl_Position = uModelViewProjection * vec4(aPosition, 1.0);
+  vUv0 = aUv0;
+  vec3 normal = normalize(uNormalMatrix * aNormal);
+  vec3 toCamera = uCameraPosition - (uModel * vec4(aPosition, 1.0)).xyz;
+  vec3 tangent = safeNormalize((uModel * vec4(aTangent.xyz, 0.0)).xyz);
+  toCamera = normalize(toCamera);
+  vec3 bitangent = cross(normal, tangent) * aTangent.w;
+  vec3 eye = vec3(dot(toCamera, tangent), dot(toCamera, bitangent), dot(toCamera, normal));
+  vec3 toSun0 = vec3(dot(uSun0Direction, tangent), dot(uSun0Direction, bitangent), dot(uSun0Direction, normal));
+  float xSun0 = 1.0 - sqrt(0.5 * dot(toCamera, uSun0Direction) + 0.5);
+  vToSun0 = vec4(toSun0, xSun0 * xSun0 * xSun0 * xSun0 * xSun0);
+  vHalfSun0 = eye + toSun0;
+  vHalfSun0.z += 1.0e-4;
+  vec3 toSun1 = vec3(dot(uSun1Direction, tangent), dot(uSun1Direction, bitangent), dot(uSun1Direction, normal));
+  float xSun1 = 1.0 - sqrt(0.5 * dot(toCamera, uSun1Direction) + 0.5);
+  vToSun1 = vec4(toSun1, xSun1 * xSun1 * xSun1 * xSun1 * xSun1);
+  vHalfSun1 = eye + toSun1;
+  vHalfSun1.z += 1.0e-4;
+}

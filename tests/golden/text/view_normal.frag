@@ -1,0 +1,44 @@
+#version 100
+// FrankenShader
+//   normal: 1
+//   sides: 1
+//   view: view-normal
+//
+// FRAGMENT SHADER
+//
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+varying vec2 vUv0;
+varying vec3 vNormal;
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+varying vec3 vTangent;
+varying vec3 vBitangent;
+
+float root(float x) {
+  return sqrt(x);
+}
+
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}
+
+float inverse(float x) {
+  return 1.0 / x;
+}
+
+// texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
+vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
+  vec3 n = texel - 0.5;
+  n = tangent * n.x + bitangent * n.y + normal * n.z;
+  return n * inverseRoot(dot(n, n));
+}
+
+void main() {
+  vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
+  if (!gl_FrontFacing) normal = -normal;
+  vec3 color = 0.5 + 0.5 * normal;
+  gl_FragColor = vec4(color, 1.0);
+}
