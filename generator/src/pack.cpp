@@ -12,6 +12,9 @@ namespace {
 
 constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 
+// The coefficients of c^3, c^2 and c in decode_fast.glsl.
+constexpr Float3 kDecodeCubic = {0.305306011f, 0.682171111f, 0.012522878f};
+
 Float3 scaled(const Float3& v, float factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
 
 float dot(const Float3& a, const Float3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
@@ -53,7 +56,10 @@ Float4 packReflectance(float metallic, Brdf brdf) {
 } // namespace
 
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure) {
+    const Float3 base = {factors.baseColor[0], factors.baseColor[1], factors.baseColor[2]};
     return {.baseColor = factors.baseColor,
+            .baseColorCubic = {scaled(base, kDecodeCubic[0]), scaled(base, kDecodeCubic[1]),
+                               scaled(base, kDecodeCubic[2])},
             .metallicRoughness = {factors.metallic, factors.roughness},
             .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
@@ -124,6 +130,7 @@ constexpr Field kFields[] = {
     {Block::Lights, "uLamp#Axis", offsetof(LightsBlock, lampAxis)},
     {Block::Lights, "uLamp#Cone", offsetof(LightsBlock, lampCone)},
     {Block::Material, "uBaseColor", offsetof(MaterialBlock, baseColor)},
+    {Block::Material, "uBaseColorCubic", offsetof(MaterialBlock, baseColorCubic)},
     {Block::Material, "uMetallicRoughness", offsetof(MaterialBlock, metallicRoughness)},
     {Block::Material, "uReflectance", offsetof(MaterialBlock, reflectance)},
     {Block::Material, "uLobe", offsetof(MaterialBlock, lobe)},

@@ -22,12 +22,14 @@ bool reflectance(N n) { return n.material && n.shaded && n.metallic && !n.textur
 bool skyLit(P p, N n) { return n.ambient && p.ambient == Ambient::Sky; }
 bool lit(N n) { return n.direct || n.ambient; }
 bool unlit(P p, N n) { return n.material && n.shaded && p.shading == Shading::Unlit; }
+bool cubic(P p, N n) { return n.color && p.baseColorTexture && n.decode && p.decode == Decode::Fast; }
 bool emissiveTexture(P p, N n) { return n.emissive && p.emissive == Emissive::Texture; }
 bool toneMapped(P p, N n) { return p.program == Program::Sky || lit(n) || n.emissive; }
 template<Brdf B>
 bool uses(P p, N n) {
     return n.direct && p.brdf == B;
 }
+bool roots(P p, N n) { return pixelLight(n) || uses<Brdf::Gltf>(p, n); }
 template<Brdf B>
 bool usesFactors(P p, N n) {
     return uses<B>(p, n) && !n.textured;
@@ -76,14 +78,22 @@ constexpr std::array kRecipe = {
     Row{kFragment, "direction_varying", [](P p, N) { return p.program == Program::Sky; }},
 
     Row{kFragment, "decode_exact", [](P p, N n) { return n.decode && p.decode == Decode::Exact; }},
-    Row{kFragment, "decode_fast", [](P p, N n) { return n.decode && p.decode == Decode::Fast; }},
-    Row{kFragment, "roots", [](P p, N n) { return n.normal && p.target != Target::Vc4; }},
-    Row{kFragment, "roots.vc4", [](P p, N n) { return n.normal && p.target == Target::Vc4; }},
+    Row{kFragment, "decode_fast",
+        [](P p, N n) { return n.decode && p.decode == Decode::Fast && emissiveTexture(p, n); }},
+    Row{kFragment, "root", [](P p, N n) { return roots(p, n) && p.target != Target::Vc4; }},
+    Row{kFragment, "root.vc4", [](P p, N n) { return roots(p, n) && p.target == Target::Vc4; }},
+    Row{kFragment, "inverse_root", [](P p, N n) { return n.normal && p.target != Target::Vc4; }},
+    Row{kFragment, "inverse_root.vc4", [](P p, N n) { return n.normal && p.target == Target::Vc4; }},
+    Row{kFragment, "inverse", [](P p, N n) { return n.direct && p.target != Target::Vc4; }},
+    Row{kFragment, "inverse.vc4", [](P p, N n) { return n.direct && p.target == Target::Vc4; }},
     Row{kFragment, "base_factor", [](P p, N n) { return n.base && !p.baseColorTexture; }},
     Row{kFragment, "base_texture", [](P p, N n) { return n.base && p.baseColorTexture; }, Each::Once,
         &Permutation::baseColorUv},
-    Row{kFragment, "base_decode", [](P p, N n) { return n.color && p.baseColorTexture && n.decode; }},
-    Row{kFragment, "base_tint", [](P p, N n) { return n.base && p.baseColorTexture; }},
+    Row{kFragment, "base_decode",
+        [](P p, N n) { return n.color && p.baseColorTexture && n.decode && p.decode == Decode::Exact; }},
+    Row{kFragment, "base_tint", [](P p, N n) { return n.base && p.baseColorTexture && !cubic(p, n); }},
+    Row{kFragment, "base_cubic", cubic},
+    Row{kFragment, "base_alpha", [](P p, N n) { return cubic(p, n) && p.alpha != Alpha::Opaque; }},
     Row{kFragment, "base_color", [](P p, N n) { return n.base && p.vertexColor; }},
     Row{kFragment, "mask", [](P p, N n) { return n.material && p.alpha == Alpha::Mask; }},
 

@@ -2,4 +2,5 @@
 //! declarations
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 //! main
-  Surface surface = Surface(base.rgb, uReflectance.x, uReflectance.w, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  vec4 share = uReflectance;
+  Surface surface = Surface(base.rgb, share.x, share.w, share.y, share.z, uLobe.x, uLobe.yz, 1.0);

@@ -7,9 +7,10 @@ Surface makeSurface(vec3 base, float metallic, float roughness) {
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
   float scattered = 1.0 - metallic;
+  float diffuse = scattered - scattered * dielectric;
   vec2 smith = vec2(1.0 - k, k);
   float gain = 0.25 * alpha2;
-  return Surface(base, scattered - scattered * dielectric, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, gain);
+  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, gain);
 }
 //! main
   Surface surface = makeSurface(base.rgb, metallic, roughness);

@@ -1,0 +1,5 @@
+// A reciprocal.
+//! functions
+float inverse(float x) {
+  return 1.0 / x;
+}

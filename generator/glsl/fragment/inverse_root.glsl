@@ -1,0 +1,5 @@
+// A reciprocal square root.
+//! functions
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}

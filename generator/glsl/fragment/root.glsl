@@ -1,0 +1,5 @@
+// A square root.
+//! functions
+float root(float x) {
+  return sqrt(x);
+}
