@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "common/png.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#define STBI_WRITE_NO_STDIO
+#include <stb_image_write.h>
+
+using namespace franken;
+
+Result<void> writePng(const std::filesystem::path& path, const Image& image) {
+    std::vector<std::uint8_t> rgb;
+    rgb.reserve(image.rgba.size() / 4 * 3);
+    for (std::size_t pixel = 0; pixel < image.rgba.size(); pixel += 4)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            rgb.push_back(image.rgba[pixel + channel]);
+    std::ofstream file(path, std::ios::binary);
+    const auto write = [](void* out, void* data, int size) {
+        static_cast<std::ofstream*>(out)->write(static_cast<const char*>(data), size);
+    };
+    if (file && stbi_write_png_to_func(write, &file, image.width, image.height, 3, rgb.data(), 0) != 0 &&
+        file.flush())
+        return {};
+    return Error{"png.write", path.string(), std::string("cannot be written: ") + std::strerror(errno),
+                 "check the folder, its permissions and the space left"};
+}

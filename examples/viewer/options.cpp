@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+
+using namespace franken;
+
+namespace {
+
+constexpr char kAbout[] =
+    "Draws a glTF model to a PNG, with the one program that each of its materials needs.";
+constexpr char kFooter[] =
+    "The file's own camera and lights are used where it has them. Without a camera, the model is framed, "
+    "and\n"
+    "without a camera and any light it gets a sun and some ambient light.\n"
+    "Colours are linear, unless said otherwise. A sun of 3.14 lux makes a white surface that faces it 1.0.\n"
+    "--supersample averages encoded colours, as a display and MSAA on these GPUs do.\n"
+    "Exit codes: 0 ok, 2 usage, 3 a file was refused, 4 no context, or the picture cannot be written.\n"
+    "Example: viewer WaterBottle.gltf -o bottle.png --size 800x600 --sun -1,-1,-0.5:3,3,2.5 --tone-map "
+    "neutral";
+
+// The whole text is one number.
+float toNumber(const std::string& option, std::string_view text) {
+    float value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        throw CLI::ValidationError(option, "'" + std::string(text) + "' is not a number");
+    return value;
+}
+
+Float3 toFloat3(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    if (parts.size() != 3)
+        throw CLI::ValidationError(option, "'" + text + "' is not three numbers with commas between");
+    return {toNumber(option, parts[0]), toNumber(option, parts[1]), toNumber(option, parts[2])};
+}
+
+Float3 toColor(const std::string& option, const std::string& text) {
+    const Float3 color = toFloat3(option, text);
+    if (color[0] < 0 || color[1] < 0 || color[2] < 0)
+        throw CLI::ValidationError(option, "'" + text + "': a colour has no negative parts");
+    return color;
+}
+
+Sun toSun(const std::string& text) {
+    constexpr Float3 kPi = {3.1415927f, 3.1415927f, 3.1415927f};
+    const std::size_t colon = text.find(':');
+    Sun sun;
+    sun.direction = toFloat3("--sun", text.substr(0, colon));
+    if (sun.direction == Float3{0, 0, 0})
+        throw CLI::ValidationError("--sun", "'" + text + "' has no direction");
+    sun.color = colon == std::string::npos ? kPi : toColor("--sun", text.substr(colon + 1));
+    sun.illuminance = 1;
+    return sun;
+}
+
+platform::Size toSize(const std::string& text) {
+    const std::vector<std::string> parts = CLI::detail::split(text, 'x');
+    int width = 0, height = 0;
+    if (parts.size() != 2 || !CLI::detail::lexical_cast(parts[0], width) ||
+        !CLI::detail::lexical_cast(parts[1], height) || width < 1 || height < 1)
+        throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT in pixels");
+    return {width, height};
+}
+
+template<typename Value>
+void addChoice(CLI::App& app, const char* name, Value& value, const char* text,
+               const std::vector<std::pair<std::string, Value>>& words) {
+    std::vector<std::string> names;
+    for (const auto& [word, meaning] : words)
+        names.push_back(word);
+    app.add_option_function<std::string>(
+           name,
+           [&value, words](const std::string& chosen) {
+               for (const auto& [word, meaning] : words)
+                   if (word == chosen)
+                       value = meaning;
+           },
+           text + (": " + CLI::detail::join(names, ", ")) + " [" + names.front() + "]")
+        ->type_name("WORD")
+        ->check(CLI::IsMember(names).description(""));
+}
+
+void addTarget(CLI::App& app, Options& options) {
+    app.add_option("-o,--output-file", options.output, "The picture [out.png]")->type_name("FILE");
+    app.add_option_function<std::string>(
+           "--size", [&options](const std::string& text) { options.size = toSize(text); },
+           "In pixels [512x512]")
+        ->type_name("WxH");
+    app.add_flag("--supersample", options.supersample, "Four samples a pixel");
+    addChoice(app, "--backend", options.backend, "What draws",
+              {{"osmesa", platform::Backend::OsMesa}, {"egl", platform::Backend::EglSurfaceless}});
+    app.add_flag("--permutations", options.permutations,
+                 "Prints the programs that the model needs, a name a line, and draws nothing");
+}
+
+void addScene(CLI::App& app, Options& options) {
+    app.add_option("MODEL", options.model, "A .gltf or .glb file")->required();
+    app.add_option("--camera", options.camera, "One of the file's cameras, by name or by index from 0 [0]")
+        ->type_name("NAME|INDEX");
+    app.add_option_function<std::vector<std::string>>(
+           "--sun",
+           [&options](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts)
+                   options.suns.push_back(toSun(text));
+           },
+           "One more sun: where its light travels, and its colour in lux [3.14 each]; may be repeated")
+        ->type_name("X,Y,Z[:R,G,B]")
+        ->allow_extra_args(false);
+    app.add_option_function<std::string>(
+           "--ambient", [&options](const std::string& text) { options.ambient = toColor("--ambient", text); },
+           "Light from everywhere, as a radiance")
+        ->type_name("R,G,B");
+    app.add_option("--skybox", options.skybox,
+                   "A sky that lights the model and is seen behind it: .hdr, cross, or a folder of six faces")
+        ->type_name("FILE");
+    app.add_option_function<std::string>(
+           "--exposure",
+           [&options](const std::string& text) {
+               options.exposure = toNumber("--exposure", text);
+               if (options.exposure <= 0)
+                   throw CLI::ValidationError("--exposure", "it must be above 0");
+           },
+           "Multiplies all light [1]")
+        ->type_name("FACTOR");
+    app.add_option_function<std::string>(
+           "--background",
+           [&options](const std::string& text) { options.background = toColor("--background", text); },
+           "As the display gets it, 0 to 1 [0,0,0]")
+        ->type_name("R,G,B");
+}
+
+void addLook(CLI::App& app, Look& look) {
+    addChoice<ToneMap>(app, "--tone-map", look.toneMap, "The tone map",
+                       {{"none", ToneMap::None},
+                        {"reinhard", ToneMap::Reinhard},
+                        {"aces", ToneMap::Aces},
+                        {"neutral", ToneMap::Neutral}});
+    addChoice<Brdf>(
+        app, "--brdf", look.brdf, "The reflectance model",
+        {{"gltf", Brdf::Gltf}, {"seed", Brdf::Seed}, {"fast", Brdf::Fast}, {"schlick", Brdf::Schlick}});
+    addChoice<Output>(app, "--output", look.output, "How colours are encoded",
+                      {{"srgb", Output::Srgb},
+                       {"srgb-fast", Output::SrgbFast},
+                       {"pow22", Output::Pow22},
+                       {"linear", Output::Linear}});
+    addChoice<Decode>(app, "--decode", look.decode, "How colour textures are decoded",
+                      {{"exact", Decode::Exact}, {"fast", Decode::Fast}, {"none", Decode::None}});
+    addChoice<View>(app, "--view", look.view, "What is shown of the materials",
+                    {{"shaded", View::Shaded},
+                     {"basecolor", View::BaseColor},
+                     {"normal", View::Normal},
+                     {"metalrough", View::RoughnessMetallic},
+                     {"occlusion", View::Occlusion}});
+    addChoice<LightVectors>(app, "--light-vectors", look.lightVectors, "Where light vectors are computed",
+                            {{"pixel", LightVectors::PerPixel}, {"vertex", LightVectors::PerVertex}});
+    addChoice<Dither>(app, "--dither", look.dither, "Dithering",
+                      {{"none", Dither::None}, {"ordered", Dither::Ordered}});
+}
+
+} // namespace
+
+std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* argv) {
+    Options options;
+    CLI::App app(kAbout, "viewer");
+    app.footer(kFooter);
+    addScene(app, options);
+    addTarget(app, options);
+    addLook(app, options.look);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
+    }
+    return options;
+}

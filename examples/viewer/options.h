@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "exit_code.h"
+#include "franken/generator/pack.h"
+#include "franken/material.h"
+#include "franken/platform/surface.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+struct Options {
+    std::filesystem::path model;
+    std::filesystem::path output = "out.png";
+    franken::platform::Backend backend = franken::platform::Backend::OsMesa;
+    franken::platform::Size size = {512, 512};
+    bool supersample = false;
+    bool permutations = false;
+
+    std::string camera; ///< A name or an index; empty for the first.
+    std::vector<franken::Sun> suns;
+    std::optional<franken::Float3> ambient;
+    std::filesystem::path skybox; ///< Empty for none.
+    float exposure = 1;
+    franken::Float3 background{0, 0, 0}; ///< Encoded, 0-1.
+    franken::Look look;
+};
+
+/// What the command line asks for; or the exit code where there is nothing left to do, because of --help or a
+/// mistake that has been reported.
+std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* argv);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "setup.h"
+
+#include <charconv>
+
+using namespace franken;
+
+namespace {
+
+std::string camerasOf(const Scene& scene) {
+    std::string list;
+    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
+        list += (i == 0 ? "choose one of " : ", ") + std::to_string(i) + " " + scene.cameras[i].name;
+    return list.empty() ? "leave the option out: the file has no cameras" : list;
+}
+
+void addDefaultLight(Lighting& lighting) {
+    lighting.suns.push_back(
+        {.direction = {-0.4f, -0.7f, -0.8f}, .color = {1, 0.98f, 0.95f}, .illuminance = 3});
+    lighting.ambient = Ambient::Color;
+    lighting.ambientColor = {0.2f, 0.21f, 0.23f};
+}
+
+} // namespace
+
+Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
+    const double aspect = static_cast<double>(options.size.width) / options.size.height;
+    if (options.camera.empty())
+        return scene.cameras.empty() ? framingCamera(scene.bounds(), aspect) : scene.cameras.front();
+    for (const Camera& camera : scene.cameras)
+        if (camera.name == options.camera)
+            return camera;
+    std::size_t index = 0;
+    const char* const last = options.camera.data() + options.camera.size();
+    const auto [end, error] = std::from_chars(options.camera.data(), last, index);
+    if (error == std::errc() && end == last && index < scene.cameras.size())
+        return scene.cameras[index];
+    return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
+}
+
+Result<Lighting> chooseLighting(const Scene& scene, const std::optional<Environment>& sky,
+                                const Options& options, const Log& log) {
+    Lighting lighting = lightingOf(scene, log);
+    lighting.suns.insert(lighting.suns.end(), options.suns.begin(), options.suns.end());
+    if (lighting.suns.size() > Permutation::kMaxLights)
+        return Error{"viewer.suns", "--sun",
+                     std::to_string(lighting.suns.size()) + " suns, those of the file included, are too many",
+                     "one program takes " + std::to_string(Permutation::kMaxLights)};
+    lighting.exposure = options.exposure;
+    if (sky) {
+        lighting.ambient = Ambient::Sky;
+        lighting.sky = skyCoefficients(*sky);
+    } else if (options.ambient) {
+        lighting.ambient = Ambient::Color;
+        lighting.ambientColor = *options.ambient;
+    }
+    const bool dark = lighting.suns.empty() && lighting.lamps.empty() && lighting.ambient == Ambient::None;
+    if (dark && scene.cameras.empty())
+        addDefaultLight(lighting);
+    else if (dark)
+        log(LogLevel::Warning, "nothing lights the scene: see --sun, --ambient and --skybox");
+    return lighting;
+}

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/environment.h"
+#include "franken/light.h"
+#include "franken/log.h"
+#include "franken/viewpoint.h"
+#include "options.h"
+
+#include <optional>
+
+/// The file's camera that the options ask for, or one that frames the model where it has none. Fails with
+/// "viewer.camera".
+franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const Options& options);
+
+/// The lights of the file and of the options, and what they come down to where there is neither.
+franken::Result<franken::Lighting> chooseLighting(const franken::Scene& scene,
+                                                  const std::optional<franken::Environment>& sky,
+                                                  const Options& options, const franken::Log& log);

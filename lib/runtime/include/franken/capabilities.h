@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/gl.h"
+
+namespace franken {
+
+/// What a context can do beyond what every GLES2 context can. A default-constructed one is the least that
+/// OpenGL ES 2.0 promises.
+struct Capabilities {
+    int maxTextureSize = 64; ///< Width and height, texels.
+    bool anyTextureSize =
+        false; ///< Repeat and mipmaps for sizes that are no powers of two: GL_OES_texture_npot.
+    bool wideIndices = false; ///< 32-bit indices: GL_OES_element_index_uint.
+
+    /// Asks the context. To be called once, not in a frame.
+    static Capabilities query(const Gl& gl);
+};
+
+} // namespace franken

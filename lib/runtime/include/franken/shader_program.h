@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/compose.h"
+#include "franken/gl_object.h"
+#include "franken/uniform_block.h"
+
+#include <vector>
+
+namespace franken {
+
+/// A linked program, and how its uniforms are fed. Where each uniform's value lies was looked up once, after
+/// the link; feeding a program that has seen the same blocks makes no GL call.
+class ShaderProgram {
+public:
+    /// Takes a program that is linked from that interface, and sets its sampler units. Leaves the program in
+    /// use.
+    ShaderProgram(const Gl& gl, GlProgram program, Interface interface);
+
+    GLuint name() const { return m_program.name(); }
+    const Interface& interface() const { return m_interface; }
+
+    /// Bit n: the program reads the attribute at location n.
+    unsigned attributes() const { return m_attributes; }
+
+    /// Uploads the blocks that it has not seen. The program must be in use.
+    void feed(const BlockViews& blocks);
+
+private:
+    struct Slot {
+        GLint location;
+        Type type;
+        int count;
+        int offset; ///< In floats.
+    };
+
+    void addSlot(const Uniform& uniform);
+    void upload(const Slot& slot, const float* values) const;
+
+    const Gl* m_gl;
+    GlProgram m_program;
+    Interface m_interface;
+    unsigned m_attributes = 0;
+    std::array<std::vector<Slot>, 4> m_slots; ///< By Block.
+    std::array<std::uint64_t, 4> m_seen{};    ///< By Block.
+};
+
+} // namespace franken

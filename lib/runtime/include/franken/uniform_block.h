@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/interface.h"
+
+#include <array>
+#include <cstdint>
+#include <type_traits>
+
+namespace franken {
+
+/// A number that this process has not handed out before; never 0. Safe on any thread.
+std::uint64_t newSerial();
+
+/// The values of one block of uniforms, and the serial of that state of them.
+struct BlockView {
+    const float* values = nullptr; ///< Laid out as fieldOffset() says.
+    std::uint64_t serial = 0;
+};
+
+/// What a program is fed with, one for each Block, in the order of the enumeration.
+using BlockViews = std::array<BlockView, 4>;
+
+/// One of the blocks of generator's pack.h, with a serial that changes whenever the values may have. A
+/// program uploads a block only when the serial is not the one that it saw last, so that drawing the same
+/// thing again costs nothing, and two objects that share a block cost one upload.
+template<typename Values>
+class UniformBlock {
+    static_assert(std::is_standard_layout_v<Values> && sizeof(Values) % sizeof(float) == 0,
+                  "blocks are plain floats");
+
+public:
+    const Values& values() const { return m_values; }
+
+    /// The values, to be written to now: whatever holds the reference longer changes them unseen.
+    Values& edit() {
+        m_serial = newSerial();
+        return m_values;
+    }
+
+    BlockView view() const { return {reinterpret_cast<const float*>(&m_values), m_serial}; }
+
+private:
+    Values m_values{};
+    std::uint64_t m_serial = newSerial();
+};
+
+} // namespace franken

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/scene.h"
+
+#include <glm/ext/matrix_double3x3.hpp>
+#include <glm/ext/matrix_double4x4.hpp>
+#include <glm/ext/vector_double3.hpp>
+
+namespace franken {
+
+/// A camera in front of a target of a certain shape. In double precision: a matrix is rounded to float once,
+/// when it is complete.
+struct Viewpoint {
+    glm::dmat4 viewProjection{1.0}; ///< World space to GL's clip space.
+    glm::dvec3 eye{0.0};            ///< World space, m.
+    glm::dvec3 forward{0, 0, -1};   ///< World space, unit.
+    glm::dmat3 clipToSky{1.0};      ///< (x, y, 1) in clip space to a direction in world space.
+};
+
+/// `aspect` is the target's width over its height. Nothing is stretched: where the camera has an aspect ratio
+/// of its own and the target is narrower, the angle of view grows until all that the camera sees fits in.
+/// An orthographic camera likewise.
+Viewpoint viewpointOf(const Camera& camera, double aspect);
+
+/// A perspective camera that shows all of the box, from the front, a little from the right and above.
+/// For an empty box: at the origin.
+Camera framingCamera(const Box& bounds, double aspect);
+
+} // namespace franken

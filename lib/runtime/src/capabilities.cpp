@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "franken/capabilities.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace franken {
+namespace {
+
+std::string_view textOf(const Gl& gl, GLenum name) {
+    const GLubyte* text = gl.GetString(name);
+    return text == nullptr ? std::string_view() : reinterpret_cast<const char*>(text);
+}
+
+bool contains(std::string_view list, std::string_view word) {
+    for (std::size_t end = 0; !list.empty(); list.remove_prefix(end)) {
+        end = std::min(list.find(' '), list.size());
+        if (list.substr(0, end) == word)
+            return true;
+        end = std::min(end + 1, list.size());
+    }
+    return false;
+}
+
+} // namespace
+
+Capabilities Capabilities::query(const Gl& gl) {
+    const std::string_view version = textOf(gl, GL_VERSION);
+    const std::string_view extensions = textOf(gl, GL_EXTENSIONS);
+    // Desktop GL and GLES3 have in their core what GLES2 has as extensions.
+    const bool core = !version.starts_with("OpenGL ES 2");
+    GLint size = 0;
+    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
+    return {.maxTextureSize = size,
+            .anyTextureSize = core || contains(extensions, "GL_OES_texture_npot"),
+            .wideIndices = core || contains(extensions, "GL_OES_element_index_uint")};
+}
+
+} // namespace franken

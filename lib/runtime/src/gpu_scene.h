@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/material.h"
+#include "franken/shader_program.h"
+#include "gpu_mesh.h"
+#include "gpu_texture.h"
+
+#include <glm/ext/matrix_double4x4.hpp>
+
+#include <vector>
+
+namespace franken {
+
+/// A material on the GPU, on vertices with certain contents.
+struct GpuMaterial {
+    int material; ///< Of the scene.
+    VertexContents contents;
+    MaterialPlan plan;
+    std::array<GLuint, kMaterialUnits> textures; ///< By sampler unit; never 0.
+    UniformBlock<MaterialBlock> block;
+    ShaderProgram* program = nullptr; ///< In the current light and look.
+};
+
+/// A primitive, placed in the world.
+struct Drawable {
+    std::size_t mesh, material; ///< Indices into GpuScene.
+    glm::dmat4 world;
+    glm::dvec3 center; ///< Of its bounds, in the world.
+    bool mirrored, doubleSided, blended;
+    UniformBlock<ObjectBlock> block;
+};
+
+/// A scene's GL objects and draws.
+struct GpuScene {
+    std::vector<GlTexture> textures; ///< By scene texture; without a name where no material uses it.
+    std::vector<GpuMesh> meshes;     ///< One for each primitive.
+    std::vector<GpuMaterial> materials;
+    std::vector<Drawable> drawables;
+};
+
+/// What is bound where a material has no texture: one texel that changes nothing.
+struct DefaultTextures {
+    explicit DefaultTextures(const Gl& gl);
+    GlTexture white, flatNormal;
+};
+
+GpuScene upload(const Gl& gl, const Scene& scene, const DefaultTextures& defaults,
+                const Capabilities& capabilities, const Log& log);
+
+} // namespace franken

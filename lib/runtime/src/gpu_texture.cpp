@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "gpu_texture.h"
+
+#include "resample.h"
+
+#include <algorithm>
+#include <bit>
+#include <numbers>
+#include <string>
+
+namespace franken {
+namespace {
+
+GLint toGl(Wrap wrap) {
+    switch (wrap) {
+    case Wrap::Repeat:
+        return GL_REPEAT;
+    case Wrap::ClampToEdge:
+        return GL_CLAMP_TO_EDGE;
+    case Wrap::MirroredRepeat:
+        return GL_MIRRORED_REPEAT;
+    }
+    return GL_REPEAT;
+}
+
+GLint toGl(Filter filter) {
+    switch (filter) {
+    case Filter::Nearest:
+        return GL_NEAREST;
+    case Filter::Linear:
+        return GL_LINEAR;
+    case Filter::NearestMipmapNearest:
+        return GL_NEAREST_MIPMAP_NEAREST;
+    case Filter::LinearMipmapNearest:
+        return GL_LINEAR_MIPMAP_NEAREST;
+    case Filter::NearestMipmapLinear:
+        return GL_NEAREST_MIPMAP_LINEAR;
+    case Filter::LinearMipmapLinear:
+        return GL_LINEAR_MIPMAP_LINEAR;
+    }
+    return GL_LINEAR;
+}
+
+bool hasMipmaps(const Texture& texture) {
+    return texture.minFilter != Filter::Nearest && texture.minFilter != Filter::Linear;
+}
+
+bool needsPowersOfTwo(const Texture& texture) {
+    return hasMipmaps(texture) || texture.wrapS != Wrap::ClampToEdge || texture.wrapT != Wrap::ClampToEdge;
+}
+
+int powerOfTwoBelow(int size) { return static_cast<int>(std::bit_floor(static_cast<unsigned>(size))); }
+
+/// By ratio.
+int nearestPowerOfTwo(int size) {
+    const int low = powerOfTwoBelow(size);
+    return size >= low * std::numbers::sqrt2 ? 2 * low : low;
+}
+
+void bind(const Gl& gl, GLenum target, const GlTexture& texture, const Texture& sampling) {
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(target, texture.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    gl.TexParameteri(target, GL_TEXTURE_WRAP_S, toGl(sampling.wrapS));
+    gl.TexParameteri(target, GL_TEXTURE_WRAP_T, toGl(sampling.wrapT));
+    gl.TexParameteri(target, GL_TEXTURE_MAG_FILTER, toGl(sampling.magFilter));
+    gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, toGl(sampling.minFilter));
+}
+
+void uploadPixels(const Gl& gl, GLenum target, const Image& image) {
+    gl.TexImage2D(target, 0, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  image.rgba.data());
+}
+
+constexpr Texture kPlain = {.wrapS = Wrap::ClampToEdge,
+                            .wrapT = Wrap::ClampToEdge,
+                            .magFilter = Filter::Linear,
+                            .minFilter = Filter::Linear};
+
+} // namespace
+
+TextureSize fittedSize(const Image& image, const Texture& texture, const Capabilities& capabilities) {
+    const int longest = std::max(image.width, image.height);
+    const double scale = std::min(1.0, static_cast<double>(capabilities.maxTextureSize) / longest);
+    const bool powers = !capabilities.anyTextureSize && needsPowersOfTwo(texture);
+    const int largest = powerOfTwoBelow(capabilities.maxTextureSize);
+    const auto fit = [&](int size) {
+        const int scaled = std::max(1, static_cast<int>(size * scale));
+        return powers ? std::min(nearestPowerOfTwo(scaled), largest) : scaled;
+    };
+    return {fit(image.width), fit(image.height)};
+}
+
+GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture,
+                        const Capabilities& capabilities, const Log& log) {
+    GlTexture name(gl, generate(gl.GenTextures));
+    bind(gl, GL_TEXTURE_2D, name, texture);
+    const TextureSize size = fittedSize(image, texture, capabilities);
+    if (log && std::max(image.width, image.height) > capabilities.maxTextureSize)
+        log(LogLevel::Warning, "image \"" + image.name + "\" is scaled down to " +
+                                   std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                   ": the GPU takes no more");
+    if (size == TextureSize{image.width, image.height})
+        uploadPixels(gl, GL_TEXTURE_2D, image);
+    else
+        uploadPixels(gl, GL_TEXTURE_2D, resampled(image, size.width, size.height));
+    if (hasMipmaps(texture))
+        gl.GenerateMipmap(GL_TEXTURE_2D);
+    return name;
+}
+
+GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
+    GlTexture name(gl, generate(gl.GenTextures));
+    bind(gl, GL_TEXTURE_2D, name, kPlain);
+    uploadPixels(gl, GL_TEXTURE_2D, {"", 1, 1, {rgba.begin(), rgba.end()}});
+    return name;
+}
+
+GlTexture uploadCube(const Gl& gl, const SkyCube& cube) {
+    GlTexture name(gl, generate(gl.GenTextures));
+    bind(gl, GL_TEXTURE_CUBE_MAP, name, kPlain);
+    for (std::size_t face = 0; face < cube.images.size(); ++face)
+        uploadPixels(gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), cube.images[face]);
+    return name;
+}
+
+} // namespace franken

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "franken/shader_program.h"
+
+#include "franken/generator/pack.h"
+
+#include <atomic>
+#include <cassert>
+
+namespace franken {
+
+std::uint64_t newSerial() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+ShaderProgram::ShaderProgram(const Gl& gl, GlProgram program, Interface interface)
+    : m_gl(&gl), m_program(std::move(program)), m_interface(std::move(interface)) {
+    for (const Attribute& attribute : m_interface.attributes)
+        m_attributes |= 1u << attribute.location;
+    for (const Uniform& uniform : m_interface.uniforms)
+        addSlot(uniform);
+    m_gl->UseProgram(name());
+    for (const Sampler& sampler : m_interface.samplers)
+        m_gl->Uniform1i(m_gl->GetUniformLocation(name(), sampler.name.c_str()), sampler.unit);
+}
+
+void ShaderProgram::addSlot(const Uniform& uniform) {
+    const GLint location = m_gl->GetUniformLocation(name(), uniform.name.c_str());
+    const int offset = fieldOffset(uniform.block, uniform.name);
+    assert(offset >= 0);
+    if (location >= 0)
+        m_slots[static_cast<std::size_t>(uniform.block)].push_back(
+            {location, uniform.type, uniform.count, offset});
+}
+
+void ShaderProgram::feed(const BlockViews& blocks) {
+    for (std::size_t block = 0; block < blocks.size(); ++block) {
+        if (m_seen[block] == blocks[block].serial)
+            continue;
+        m_seen[block] = blocks[block].serial;
+        for (const Slot& slot : m_slots[block])
+            upload(slot, blocks[block].values + slot.offset);
+    }
+}
+
+void ShaderProgram::upload(const Slot& slot, const float* values) const {
+    switch (slot.type) {
+    case Type::Float:
+        return m_gl->Uniform1fv(slot.location, slot.count, values);
+    case Type::Vec2:
+        return m_gl->Uniform2fv(slot.location, slot.count, values);
+    case Type::Vec3:
+        return m_gl->Uniform3fv(slot.location, slot.count, values);
+    case Type::Vec4:
+        return m_gl->Uniform4fv(slot.location, slot.count, values);
+    case Type::Mat3:
+        return m_gl->UniformMatrix3fv(slot.location, slot.count, GL_FALSE, values);
+    case Type::Mat4:
+        return m_gl->UniformMatrix4fv(slot.location, slot.count, GL_FALSE, values);
+    case Type::Sampler2D:
+    case Type::SamplerCube:
+        break;
+    }
+    assert(!"a sampler is no uniform of a block");
+}
+
+} // namespace franken
