@@ -2,7 +2,7 @@
 //! functions
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(vec3 base, float metallic, float roughness) {
-  float r = max(roughness, 0.045);
+  float r = max(roughness, 0.001);
   float alpha2 = r * r * r * r;
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;

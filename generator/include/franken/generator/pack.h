@@ -19,9 +19,9 @@ using Float4 = std::array<float, 4>;
 using Float9 = std::array<float, 9>;   ///< A mat3, column by column.
 using Float16 = std::array<float, 16>; ///< A mat4, column by column.
 
-/// Below this perceptual roughness a sun's mirror image is smaller than a pixel and float32 runs out of
-/// digits: alpha^2 = 0.045^4 = 4e-6. Filament keeps the same limit.
-inline constexpr float kMinRoughness = 0.045f;
+/// Roughness is kept above this, or the lobe would be 0/0 at 0: alpha^2 = 1e-12. A sun's mirror image on a
+/// smoother surface has no size, and is not seen, as in glTF's own formulas.
+inline constexpr float kMinRoughness = 0.001f;
 
 /// A glTF material's numbers, as they stand in the file; colours linear.
 struct MaterialFactors {
