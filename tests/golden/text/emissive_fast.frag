@@ -18,7 +18,7 @@ varying vec2 vUv0;
 varying vec3 vNormal;
 varying vec3 vToCamera;
 uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec3 uBaseColorCubic[3]; // material: coefficients of c^3, c^2 and c, times the factor
 uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uAmbient; // lights: linear radiance
@@ -89,8 +89,7 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
-  base *= uBaseColor;
+  base.rgb = base.rgb * (base.rgb * (base.rgb * uBaseColorCubic[0] + uBaseColorCubic[1]) + uBaseColorCubic[2]);
   vec3 normal = vNormal;
   Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
   vec3 diffuse = uAmbient;

@@ -82,7 +82,8 @@ vec3 encodeDisplay(vec3 c) {
 void main() {
   vec4 base = uBaseColor;
   vec3 normal = vNormal;
-  Surface surface = Surface(base.rgb, uReflectance.x, uReflectance.w, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  vec4 share = uReflectance;
+  Surface surface = Surface(base.rgb, share.x, share.w, share.y, share.z, uLobe.x, uLobe.yz, 1.0);
   vec3 diffuse = vec3(0.0);
   vec3 specular = vec3(0.0);
   vec2 scale = vec2(inverseRoot(dot(normal, normal)), inverseRoot(dot(vToCamera, vToCamera)));

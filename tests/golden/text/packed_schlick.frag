@@ -72,7 +72,7 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(float metallic, float roughness) {
-  float r = max(roughness, 0.045);
+  float r = max(roughness, 0.001);
   float alpha = r * r;
   float alpha2 = alpha * alpha;
   vec2 smith = vec2(1.0 - 0.5 * alpha, 0.5 * alpha);

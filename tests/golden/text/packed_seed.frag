@@ -76,14 +76,15 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(vec3 base, float metallic, float roughness) {
-  float r = max(roughness, 0.045);
+  float r = max(roughness, 0.001);
   float alpha2 = r * r * r * r;
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
   float scattered = 1.0 - metallic;
+  float diffuse = scattered - scattered * dielectric;
   vec2 smith = vec2(1.0 - k, k);
   float gain = 0.25 * alpha2;
-  return Surface(base, scattered - scattered * dielectric, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, gain);
+  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, gain);
 }
 
 // normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;

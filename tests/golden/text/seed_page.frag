@@ -88,7 +88,8 @@ void main() {
   base *= uBaseColor;
   vec3 texel = texture2D(uNormalTexture, vUv0).xyz - 0.5;
   vec3 normal = texel.x * vTangent + texel.y * vBitangent + vNormal * texel.z;
-  Surface surface = Surface(base.rgb, uReflectance.x, uReflectance.w, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  vec4 share = uReflectance;
+  Surface surface = Surface(base.rgb, share.x, share.w, share.y, share.z, uLobe.x, uLobe.yz, 1.0);
   vec3 diffuse = uAmbient;
   vec3 specular = vec3(0.0);
   vec2 scale = vec2(inverseRoot(dot(normal, normal)), inverseRoot(dot(vToCamera, vToCamera)));

@@ -24,16 +24,8 @@ vec3 decodeSrgb(vec3 c) {
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
-  return sqrt(x);
-}
-
 float inverseRoot(float x) {
   return inversesqrt(x);
-}
-
-float inverse(float x) {
-  return 1.0 / x;
 }
 
 // n: unit, world space. Returns linear radiance of a white surface.

@@ -38,10 +38,6 @@ vec3 decodeSrgb(vec3 c) {
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
-  return sqrt(x);
-}
-
 float inverseRoot(float x) {
   return inversesqrt(x);
 }
@@ -78,7 +74,7 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(float metallic, float roughness) {
-  float r = max(roughness, 0.045);
+  float r = max(roughness, 0.001);
   float alpha = r * r;
   float alpha2 = alpha * alpha;
   vec2 smith = vec2(2.0 - 2.0 * alpha, alpha);

@@ -17,16 +17,8 @@ uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture,
 varying vec3 vTangent;
 varying vec3 vBitangent;
 
-float root(float x) {
-  return sqrt(x);
-}
-
 float inverseRoot(float x) {
   return inversesqrt(x);
-}
-
-float inverse(float x) {
-  return 1.0 / x;
 }
 
 // texel: as stored. The frame's axes may have any length; x and y carry the map's scale.

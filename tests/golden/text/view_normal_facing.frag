@@ -14,16 +14,8 @@ precision mediump float;
 varying vec3 vNormal;
 varying vec3 vToCamera;
 
-float root(float x) {
-  return sqrt(x);
-}
-
 float inverseRoot(float x) {
   return inversesqrt(x);
-}
-
-float inverse(float x) {
-  return 1.0 / x;
 }
 
 void main() {
