@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include <cstring>
+#include <iostream>
+
+#include "gltf_writer.h"
+
+int main(int argc, char** argv) {
+    constexpr const char* kUsage = "usage: make_model OUT.gltf   writes OUT.gltf, OUT.bin and OUT_*.png\n"
+                                   "       make_model OUT.glb    writes one file\n";
+    if (argc == 2 && std::strcmp(argv[1], "--help") == 0) {
+        std::cout << kUsage;
+        return 0;
+    }
+    if (argc != 2 || argv[1][0] == '-') {
+        std::cerr << kUsage;
+        return 2;
+    }
+    const auto written = make_model::writeGltf(make_model::makeModel(), argv[1]);
+    if (!written) {
+        std::cerr << "make_model: " << franken::toString(written.error()) << '\n';
+        return 1;
+    }
+    return 0;
+}
