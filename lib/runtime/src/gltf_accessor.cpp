@@ -52,9 +52,9 @@ std::uint32_t integer(const std::uint8_t* bytes, int type) {
     }
 }
 
-const std::uint8_t* viewData(const tinygltf::Model& model, int view, std::size_t offset) {
-    const tinygltf::BufferView& from = model.bufferViews[at(view)];
-    return model.buffers[at(from.buffer)].data.data() + from.byteOffset + offset;
+const std::uint8_t* viewData(Source& source, int view, std::size_t offset) {
+    const std::span<const std::uint8_t> bytes = viewBytes(source, view);
+    return bytes.empty() ? nullptr : bytes.data() + offset;
 }
 
 // Calls store(element, bytes) for all elements of the base view, then for the sparse ones over them.
@@ -68,7 +68,9 @@ bool forEachElement(Source& source, int index, Store store) {
     if (accessor.bufferView >= 0) {
         const std::size_t viewStride = model.bufferViews[at(accessor.bufferView)].byteStride;
         const std::size_t stride = viewStride ? viewStride : packed;
-        const std::uint8_t* bytes = viewData(model, accessor.bufferView, accessor.byteOffset);
+        const std::uint8_t* bytes = viewData(source, accessor.bufferView, accessor.byteOffset);
+        if (!bytes)
+            return false;
         for (std::size_t i = 0; i < accessor.count; ++i)
             store(i, bytes + i * stride);
     }
@@ -77,9 +79,11 @@ bool forEachElement(Source& source, int index, Store store) {
     const auto& indices = accessor.sparse.indices;
     const auto indexSize =
         at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(indices.componentType)));
-    const std::uint8_t* indexBytes = viewData(model, indices.bufferView, at(indices.byteOffset));
+    const std::uint8_t* indexBytes = viewData(source, indices.bufferView, at(indices.byteOffset));
     const std::uint8_t* values =
-        viewData(model, accessor.sparse.values.bufferView, at(accessor.sparse.values.byteOffset));
+        viewData(source, accessor.sparse.values.bufferView, at(accessor.sparse.values.byteOffset));
+    if (!indexBytes || !values)
+        return false;
     for (std::size_t i = 0; i < at(accessor.sparse.count); ++i) {
         const std::uint32_t element = integer(indexBytes + i * indexSize, indices.componentType);
         if (element >= accessor.count)
@@ -93,6 +97,18 @@ bool forEachElement(Source& source, int index, Store store) {
 }
 
 } // namespace
+
+std::span<const std::uint8_t> viewBytes(Source& source, int view) {
+    const tinygltf::BufferView& from = source.model.bufferViews[at(view)];
+    const Buffer& buffer = source.buffers[at(from.buffer)];
+    if (buffer.bytes.empty()) {
+        source.fail("gltf.buffer", pathOf("buffers", from.buffer),
+                    "the buffer is needed, but " + buffer.problem,
+                    "put the file where the URI says, next to the model");
+        return {};
+    }
+    return buffer.bytes.subspan(from.byteOffset, from.byteLength);
+}
 
 int width(const tinygltf::Accessor& accessor) {
     return tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));

@@ -9,26 +9,18 @@
 namespace franken::gltf {
 namespace {
 
-std::span<const std::uint8_t> encodedBytes(const tinygltf::Model& model, const tinygltf::Image& image) {
-    if (image.bufferView < 0)
-        return image.image;
-    const tinygltf::BufferView& view = model.bufferViews[at(image.bufferView)];
-    return std::span(model.buffers[at(view.buffer)].data).subspan(view.byteOffset, view.byteLength);
-}
-
 // Decoding is most of the time that a load takes, and each image is alone: one worker for each core.
-void decodeAll(const Source& source, const std::vector<int>& which,
+void decodeAll(const std::vector<std::span<const std::uint8_t>>& encoded, int maxSize,
                std::vector<std::optional<Result<Image>>>& results) {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
-        for (std::size_t i = next++; i < which.size(); i = next++)
-            results[i] = decodeImage(encodedBytes(source.model, source.model.images[at(which[i])]),
-                                     source.options.maxImageSize);
+        for (std::size_t i = next++; i < encoded.size(); i = next++)
+            results[i] = decodeImage(encoded[i], maxSize);
     };
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> workers;
     try {
-        for (std::size_t i = 1; i < std::min(cores, which.size()); ++i)
+        for (std::size_t i = 1; i < std::min(cores, encoded.size()); ++i)
             workers.emplace_back(work);
     } catch (const std::system_error&) { // no more threads to be had: this one does the rest
     }
@@ -37,31 +29,38 @@ void decodeAll(const Source& source, const std::vector<int>& which,
 
 } // namespace
 
-void readImages(Source& source, const std::vector<bool>& used, std::vector<bool>& broken,
+bool readImages(Source& source, const std::vector<bool>& used, std::vector<bool>& broken,
                 std::vector<Image>& images) {
-    std::vector<int> which;
-    for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i])
-            which.push_back(static_cast<int>(i));
+    std::vector<std::size_t> which;
+    std::vector<std::span<const std::uint8_t>> encoded;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (!used[i])
+            continue;
+        which.push_back(i);
+        const EncodedImage& image = source.images[i];
+        encoded.push_back(image.view == kNone ? std::span<const std::uint8_t>(image.bytes)
+                                              : viewBytes(source, image.view));
+    }
+    if (source.error)
+        return false;
     std::vector<std::optional<Result<Image>>> results(which.size());
-    decodeAll(source, which, results);
+    decodeAll(encoded, source.options.maxImageSize, results);
 
     images.assign(used.size(), Image{"", 1, 1, {255, 255, 255, 255}});
     broken.assign(used.size(), false);
     for (std::size_t i = 0; i < which.size(); ++i) {
-        const std::size_t index = at(which[i]);
+        const EncodedImage& image = source.images[which[i]];
         if (*results[i]) {
-            images[index] = std::move(**results[i]);
-        } else {
-            broken[index] = true;
-            const std::string& uri = source.model.images[index].uri;
-            source.warn(pathOf("images", index),
-                        (uri.empty() ? "" : uri + ": ") + toString(results[i]->error()) + ": left out");
+            images[which[i]] = std::move(**results[i]);
+            continue;
         }
+        broken[which[i]] = true;
+        source.warn(pathOf("images", which[i]),
+                    (image.problem.empty() ? toString(results[i]->error()) : image.problem) + ": left out");
     }
     for (std::size_t i = 0; i < images.size(); ++i)
-        images[i].name =
-            source.model.images[i].name.empty() ? source.model.images[i].uri : source.model.images[i].name;
+        images[i].name = source.images[i].name;
+    return true;
 }
 
 } // namespace franken::gltf

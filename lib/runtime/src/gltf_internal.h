@@ -19,13 +19,37 @@
 
 namespace franken::gltf {
 
+/// A buffer of the file. Its bytes are looked for, but their absence is an error only where they are drawn.
+struct Buffer {
+    std::string uri;                     ///< Empty: the binary chunk, or none at all.
+    std::size_t length = 0;              ///< As declared; the bytes may be none.
+    std::span<const std::uint8_t> bytes; ///< Exactly `length`, or empty.
+    std::vector<std::uint8_t> storage;   ///< What `bytes` points into, unless that is Source::bytes.
+    std::string problem;                 ///< Why there are no bytes.
+};
+
+/// An image of the file, still as PNG or JPEG.
+struct EncodedImage {
+    std::string name;
+    std::string uri;
+    int view = kNone;                ///< The buffer view that holds it, where it has no URI.
+    std::vector<std::uint8_t> bytes; ///< Where it has one.
+    std::string problem;             ///< Why there are no bytes.
+};
+
 /// A file being loaded, and where complaints about it go. Functions that can fail return false after a call
 /// of fail(); the first error stays.
 struct Source {
     std::string file;
     LoadOptions options;
     Log log;
-    tinygltf::Model model;
+    std::vector<std::uint8_t> bytes;           ///< The file.
+    std::span<const std::uint8_t> jsonText;    ///< In `bytes`.
+    std::span<const std::uint8_t> binaryChunk; ///< In `bytes`; empty in a .gltf.
+    std::vector<Buffer> buffers;
+    std::vector<EncodedImage> images;
+    int placeholderView = kNone; ///< Stands for "no buffer view" while tinygltf parses.
+    tinygltf::Model model;       ///< Its own buffers and images are empty shells.
     std::optional<Error> error;
     std::set<std::string> warned;
 
@@ -38,6 +62,7 @@ struct Source {
     bool uses(std::string_view extension) const;
 };
 
+inline constexpr std::string_view kDamaged = "the file is cut or damaged: copy or export it again";
 inline constexpr std::string_view kFixExporter =
     "export the file again, or see what glTF-Validator says of it";
 
@@ -58,10 +83,26 @@ std::string pathOf(const Parts&... parts) {
 
 inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-// gltf_gate.cpp: what has to hold before a parser that trusts its input sees the file.
+// gltf_container.cpp, gltf_json.cpp, gltf_resources.cpp: what comes before a parser that trusts its input.
 
-bool checkContainer(Source& source, std::span<const std::uint8_t> bytes);
-bool isBinary(std::span<const std::uint8_t> bytes);
+/// Finds the JSON text and the binary chunk in Source::bytes.
+bool openContainer(Source& source);
+/// Checks depth, version and required extensions, fills Source::buffers and Source::images but for their
+/// bytes, and returns JSON for tinygltf in which nothing refers to anything outside it.
+bool readJson(Source& source, std::string& text);
+/// Fills the bytes, from the binary chunk, data URIs, and files in `folder` or below.
+void loadResources(Source& source, const std::filesystem::path& folder);
+
+// gltf_uri.cpp
+
+/// The whole file; an empty `problem` means success.
+std::vector<std::uint8_t> readFile(const std::filesystem::path& path, std::size_t maxBytes,
+                                   std::string& problem);
+/// What a data URI holds, or the file in `folder` that a relative one names. No scheme, no absolute path and
+/// no
+/// ".." is followed.
+std::vector<std::uint8_t> readUri(const std::string& uri, const std::filesystem::path& folder,
+                                  std::size_t maxBytes, std::string& problem);
 
 // gltf_validate_data.cpp and gltf_validate_tree.cpp: what has to hold for the parsed model. After these two,
 // every index in Source::model is in range, every accessor lies inside its buffer and every attribute has a
@@ -79,6 +120,8 @@ bool checkFinite(Source& source, const std::vector<double>& numbers, const std::
 
 // gltf_accessor.cpp
 
+/// The bytes of a valid view; empty, with an error, where its buffer has none.
+std::span<const std::uint8_t> viewBytes(Source& source, int view);
 /// Floats in one element of a valid accessor: 3 for VEC3, 16 for MAT4.
 int width(const tinygltf::Accessor& accessor);
 /// All elements of the accessor as floats, normalised integers in 0..1 or -1..1, sparse values applied.
@@ -100,8 +143,8 @@ bool readVectors(Source& source, int accessor, std::vector<Vector>& out) {
 // gltf_image.cpp
 
 /// Decodes the images that are `used`; warns of those that cannot be decoded and marks them as `broken`.
-/// These and the unused ones come out as one white pixel.
-void readImages(Source& source, const std::vector<bool>& used, std::vector<bool>& broken,
+/// These and the unused ones come out as one white pixel. Fails where a buffer that holds one is missing.
+bool readImages(Source& source, const std::vector<bool>& used, std::vector<bool>& broken,
                 std::vector<Image>& images);
 
 // gltf_material.cpp

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <exception>
-#include <fstream>
 #include <new>
 
 #include "gltf_internal.h"
@@ -33,61 +32,44 @@ bool Source::uses(std::string_view extension) const {
 
 namespace {
 
-bool readFile(Source& source, const std::filesystem::path& path, std::vector<std::uint8_t>& bytes) {
-    std::ifstream file(path, std::ios::binary | std::ios::ate);
-    const std::streamoff size = file ? static_cast<std::streamoff>(file.tellg()) : -1;
-    if (size < 0 || std::filesystem::is_directory(path))
-        return source.fail("gltf.file", "", "the file cannot be opened",
-                           "check that it exists and may be read");
-    // tinygltf counts in 32 bits.
-    if (static_cast<std::size_t>(size) > std::min<std::size_t>(source.options.maxFileBytes, 0xFFFFFFFF))
-        return source.fail("gltf.file", "", "the file has " + std::to_string(size) + " bytes, over the limit",
-                           "raise LoadOptions::maxFileBytes if the file is to be trusted");
-    bytes.resize(static_cast<std::size_t>(size));
-    file.seekg(0);
-    if (!file.read(reinterpret_cast<char*>(bytes.data()), size))
-        return source.fail("gltf.file", "", "the file cannot be read", "check the medium that it is on");
-    return true;
-}
-
-// Images are decoded later, on several threads, and only where a material uses them. Those in buffer views
-// stay there, untouched: tinygltf has not checked that view.
-bool keepEncoded(tinygltf::Image* image, const int, std::string*, std::string*, int, int,
-                 const unsigned char* bytes, int size, void*) {
-    if (image->bufferView < 0)
-        image->image.assign(bytes, bytes + size);
+// Image bytes are read, and decoded, elsewhere.
+bool ignoreImage(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
+                 void*) {
     return true;
 }
 
 std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
 
-bool parse(Source& source, const std::filesystem::path& path, std::span<const std::uint8_t> bytes) {
+bool parse(Source& source, const std::string& text) {
     tinygltf::TinyGLTF parser;
-    parser.SetImageLoader(keepEncoded, nullptr);
+    parser.SetImageLoader(ignoreImage, nullptr);
     std::string errors, warnings;
-    const std::string folder = path.parent_path().string();
-    const auto size = static_cast<unsigned int>(bytes.size());
-    const bool parsed =
-        isBinary(bytes)
-            ? parser.LoadBinaryFromMemory(&source.model, &errors, &warnings, bytes.data(), size, folder)
-            : parser.LoadASCIIFromString(&source.model, &errors, &warnings,
-                                         reinterpret_cast<const char*>(bytes.data()), size, folder);
-    if (!parsed)
+    if (!parser.LoadASCIIFromString(&source.model, &errors, &warnings, text.data(),
+                                    static_cast<unsigned int>(text.size()), ""))
         return source.fail("gltf.json", "", "the parser refuses the file: " + firstLine(errors),
                            std::string(kFixExporter));
     // tinygltf takes inverse bind matrices to be required; glTF does not.
     if (!errors.empty() && errors.find("inverseBindMatrices") == std::string::npos)
         source.warn("", "the parser left something out: " + firstLine(errors));
+    source.model.bufferViews.pop_back();
+    for (tinygltf::Accessor& accessor : source.model.accessors)
+        if (accessor.bufferView == source.placeholderView)
+            accessor.bufferView = kNone;
     return true;
 }
 
 bool load(Source& source, const std::filesystem::path& path, Scene& scene) {
-    std::vector<std::uint8_t> bytes;
-    if (!readFile(source, path, bytes) || !checkContainer(source, bytes) || !parse(source, path, bytes))
+    std::string problem, text;
+    // tinygltf counts in 32 bits.
+    source.bytes = readFile(path, std::min<std::size_t>(source.options.maxFileBytes, 0xFFFFFFFF), problem);
+    if (!problem.empty())
+        return source.fail("gltf.file", "", problem,
+                           "check that it exists, may be read, and is within the limits");
+    if (!openContainer(source) || !readJson(source, text) || !parse(source, text))
         return false;
-    bytes = {};
     if (!validateData(source) || !validateTree(source))
         return false;
+    loadResources(source, path.parent_path());
     if (!source.model.animations.empty())
         source.warn("/animations", "animations are not played; the file is shown at rest");
     return readMaterials(source, scene) && readNodes(source, scene);

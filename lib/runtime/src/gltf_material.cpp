@@ -176,14 +176,15 @@ bool readTexture(Source& source, std::size_t index, Texture& texture) {
 }
 
 // Decodes what the materials use, and drops their uses of what cannot be had.
-void resolveImages(Source& source, Scene& scene) {
-    std::vector<bool> used(source.model.images.size(), false), broken;
+bool resolveImages(Source& source, Scene& scene) {
+    std::vector<bool> used(source.images.size(), false), broken;
     const auto imageOf = [&scene](const TextureRef& ref) { return scene.textures[at(ref.texture)].image; };
     for (Material& material : scene.materials)
         for (const TextureRef* ref : textureRefs(material))
             if (*ref && imageOf(*ref) != kNone)
                 used[at(imageOf(*ref))] = true;
-    readImages(source, used, broken, scene.images);
+    if (!readImages(source, used, broken, scene.images))
+        return false;
     for (Material& material : scene.materials)
         for (TextureRef* ref : textureRefs(material)) {
             if (*ref && imageOf(*ref) == kNone)
@@ -192,6 +193,7 @@ void resolveImages(Source& source, Scene& scene) {
             if (*ref && (imageOf(*ref) == kNone || broken[at(imageOf(*ref))]))
                 *ref = {};
         }
+    return true;
 }
 
 } // namespace
@@ -205,8 +207,7 @@ bool readMaterials(Source& source, Scene& scene) {
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
         if (!readMaterial(source, source.model.materials[i], pathOf("materials", i), scene.materials[i]))
             return false;
-    resolveImages(source, scene);
-    return true;
+    return resolveImages(source, scene);
 }
 
 } // namespace franken::gltf

@@ -31,12 +31,17 @@ glm::dmat4 localMatrix(const tinygltf::Node& node) {
     return matrix;
 }
 
-// The nodes below `roots`, each after its parent, first children first.
+// The nodes below `roots`, each after its parent, first children first, and each once, for there are
+// exporters that list a child among the scene's nodes.
 std::vector<int> depthFirst(const tinygltf::Model& model, const std::vector<int>& roots) {
     std::vector<int> order, stack(roots.rbegin(), roots.rend());
+    std::vector<bool> seen(model.nodes.size(), false);
     while (!stack.empty()) {
         const int node = stack.back();
         stack.pop_back();
+        if (seen[at(node)])
+            continue;
+        seen[at(node)] = true;
         order.push_back(node);
         const std::vector<int>& children = model.nodes[at(node)].children;
         stack.insert(stack.end(), children.rbegin(), children.rend());

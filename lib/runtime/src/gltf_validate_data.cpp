@@ -27,9 +27,9 @@ bool checkViews(Source& source) {
     for (std::size_t i = 0; i < source.model.bufferViews.size(); ++i) {
         const tinygltf::BufferView& view = source.model.bufferViews[i];
         const std::string where = pathOf("bufferViews", i);
-        if (!checkPresent(source, view.buffer, source.model.buffers.size(), where + "/buffer"))
+        if (!checkPresent(source, view.buffer, source.buffers.size(), where + "/buffer"))
             return false;
-        const std::size_t size = source.model.buffers[at(view.buffer)].data.size();
+        const std::size_t size = source.buffers[at(view.buffer)].length;
         if (view.byteOffset > size || view.byteLength > size - view.byteOffset)
             return source.fail("gltf.bounds", where,
                                "the view reaches outside its buffer of " + std::to_string(size) + " bytes",

@@ -79,12 +79,6 @@ bool checkForest(Source& source) {
         for (int up = static_cast<int>(i); up != kNone && !rooted[at(up)]; up = parent[at(up)])
             rooted[at(up)] = true;
     }
-    for (std::size_t s = 0; s < source.model.scenes.size(); ++s)
-        for (const int node : source.model.scenes[s].nodes)
-            if (parent[at(node)] != kNone)
-                return source.fail("gltf.node-tree", pathOf("scenes", s, "nodes"),
-                                   "node " + std::to_string(node) + " is not a root",
-                                   std::string(kFixExporter));
     return true;
 }
 
@@ -136,8 +130,8 @@ bool checkTextures(Source& source) {
             !checkIndex(source, model.textures[i].sampler, model.samplers.size(),
                         pathOf("textures", i, "sampler")))
             return false;
-    for (std::size_t i = 0; i < model.images.size(); ++i)
-        if (!checkIndex(source, model.images[i].bufferView, model.bufferViews.size(),
+    for (std::size_t i = 0; i < source.images.size(); ++i)
+        if (!checkIndex(source, source.images[i].view, model.bufferViews.size(),
                         pathOf("images", i, "bufferView")))
             return false;
     return true;

@@ -12,7 +12,7 @@ namespace franken {
 
 /// How much of a file is believed. A file that asks for more is refused, not cut.
 struct LoadOptions {
-    std::size_t maxFileBytes = std::size_t{1} << 30; ///< Of the .gltf or .glb itself.
+    std::size_t maxFileBytes = std::size_t{1} << 30; ///< Of the file, and of each that it refers to.
     std::size_t maxElements = 4'194'304;             ///< Of one accessor; with it, of one vertex array.
     int maxImageSize = kMaxImageSize;                ///< Width and height of an image, pixels.
 };
@@ -28,10 +28,12 @@ struct LoadOptions {
 /// KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires is an error that names
 /// it.
 ///
-/// An image that is missing or broken is a warning. Everything else is an error, whose `where` is
-/// "file: /json/path":
+/// Files that it refers to are looked for in its folder and below, nowhere else: not over a network, not by
+/// an absolute path, not by "..". An image that is missing or broken is a warning. Everything else is an
+/// error, whose `where` is "file: /json/path":
 ///
 ///     gltf.file            cannot be read, or is too large
+///     gltf.buffer          the bytes of a buffer that is drawn are missing
 ///     gltf.container       a .glb whose chunks do not fit
 ///     gltf.json            not JSON, or nothing that a glTF parser takes
 ///     gltf.version         not glTF 2.x
