@@ -48,17 +48,18 @@ public:
         m_stage.lines.push_back({{}, 0});
     }
 
-    void section(const std::vector<Step>& steps, std::vector<SnippetLine> Snippet::*lines,
+    void section(const std::vector<Step>& steps, Section Snippet::*which,
                  std::optional<std::string_view> before = std::nullopt) {
         for (const Step& step : steps) {
             const Snippet& snippet = snippetOf(step.row);
-            if (before && !(snippet.*lines).empty())
+            const Section& section = snippet.*which;
+            if (section.lineCount == 0)
+                continue;
+            if (before)
                 own(*before);
-            for (const SnippetLine& line : snippet.*lines) {
-                append(m_stage.text, line.pieces, step);
-                m_stage.text.push_back('\n');
-                m_stage.lines.push_back({snippet.name, line.number});
-            }
+            append(m_stage.text, section.pieces, step);
+            for (int line = 0; line < section.lineCount; ++line)
+                m_stage.lines.push_back({snippet.name, section.firstLine + line});
         }
     }
 

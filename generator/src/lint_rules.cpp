@@ -53,8 +53,6 @@ bool isAnyOf(const std::array<std::string_view, Size>& words, std::string_view w
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
-
 template<typename Visit>
 void forEachLine(std::string_view text, Visit visit) {
     for (int number = 1; !text.empty(); ++number) {
@@ -286,6 +284,8 @@ constexpr StageRuleCheck kStageRules[] = {
 };
 
 } // namespace
+
+std::string quoted(std::string_view text) { return std::string(1, '\'').append(text).append(1, '\''); }
 
 std::span<const StageRuleCheck> stageRules() { return kStageRules; }
 

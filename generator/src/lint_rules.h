@@ -35,6 +35,9 @@ struct LinkRuleCheck {
 std::span<const StageRuleCheck> stageRules();
 std::span<const LinkRuleCheck> linkRules();
 
+/// "'text'"
+std::string quoted(std::string_view text);
+
 /// The rule "unused" fills a file of its own.
 std::vector<Broken> findUnused(const ShaderText& shader);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "recipe.h"
 
+#include <algorithm>
 #include <array>
 
 namespace franken {
@@ -206,6 +207,14 @@ constexpr std::array kRecipe = {
 
 static_assert(kRecipe.size() <= std::bitset<128>().size());
 
+// The rows of the vertex shader stand first.
+constexpr std::size_t kVertexRows = static_cast<std::size_t>(
+    std::count_if(kRecipe.begin(), kRecipe.end(), [](const Row& row) { return row.stage == kVertex; }));
+static_assert(kRecipe[kVertexRows - 1].stage == kVertex);
+
+std::size_t firstRow(Stage stage) { return stage == kVertex ? 0 : kVertexRows; }
+std::size_t endRow(Stage stage) { return stage == kVertex ? kVertexRows : kRecipe.size(); }
+
 std::uint8_t count(const Permutation& p, Each each) {
     return each == Each::Sun ? p.suns : each == Each::Lamp ? p.lamps : 1;
 }
@@ -217,12 +226,12 @@ std::span<const Row> recipe() { return kRecipe; }
 Outline outline(const Permutation& p, Stage stage) {
     const Needs needs = needsOf(p);
     Outline result{};
-    for (std::size_t row = 0; row < kRecipe.size(); ++row) {
+    for (std::size_t row = firstRow(stage); row < endRow(stage); ++row) {
         const Row& r = kRecipe[row];
-        if (r.stage != stage || count(p, r.each) == 0 || !r.when(p, needs))
+        if (!r.when(p, needs) || count(p, r.each) == 0)
             continue;
-        result.rows.set(row);
-        result.readsUv1.set(row, r.uv && p.*r.uv == UvStream::Uv1);
+        result.rows[row] = true;
+        result.readsUv1[row] = r.uv && p.*r.uv == UvStream::Uv1;
         result.suns = r.each == Each::Sun ? p.suns : result.suns;
         result.lamps = r.each == Each::Lamp ? p.lamps : result.lamps;
     }
@@ -232,15 +241,16 @@ Outline outline(const Permutation& p, Stage stage) {
 std::vector<Step> plan(const Permutation& p, Stage stage) {
     const Needs needs = needsOf(p);
     std::vector<Step> steps;
-    for (std::size_t begin = 0, end = 0; begin < kRecipe.size(); begin = end) {
+    steps.reserve(kRecipe.size());
+    for (std::size_t begin = firstRow(stage), end = begin; begin < endRow(stage); begin = end) {
         const Each each = kRecipe[begin].each;
-        for (end = begin + 1; each != Each::Once && end < kRecipe.size() && kRecipe[end].each == each;)
+        for (end = begin + 1; each != Each::Once && end < endRow(stage) && kRecipe[end].each == each;)
             ++end;
-        for (std::size_t light = 0; light < count(p, each); ++light)
+        for (std::uint8_t light = 0; light < count(p, each); ++light)
             for (std::size_t row = begin; row < end; ++row)
-                if (kRecipe[row].stage == stage && kRecipe[row].when(p, needs)) {
+                if (kRecipe[row].when(p, needs)) {
                     const UvStream uv = kRecipe[row].uv ? p.*kRecipe[row].uv : UvStream::Uv0;
-                    steps.push_back({static_cast<std::uint8_t>(row), static_cast<std::uint8_t>(light), uv});
+                    steps.push_back({static_cast<std::uint8_t>(row), light, uv});
                 }
     }
     return steps;

@@ -40,7 +40,7 @@ std::optional<std::vector<Piece>> parsePieces(std::string_view text) {
 
 std::string_view takeWord(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
-    const std::string_view word = text.substr(0, text.find_first_of(" ;["));
+    const std::string_view word = text.substr(0, text.find_first_of(" ;[\n"));
     text.remove_prefix(word.size());
     return word;
 }
@@ -97,7 +97,7 @@ Result<Declaration> parseDeclaration(std::string_view line, Declaration::Kind ki
     return declaration;
 }
 
-std::vector<SnippetLine>* findSection(Snippet& snippet, std::string_view marker) {
+Section* findSection(Snippet& snippet, std::string_view marker) {
     if (marker == "//! declarations")
         return &snippet.declarations;
     if (marker == "//! functions")
@@ -105,11 +105,24 @@ std::vector<SnippetLine>* findSection(Snippet& snippet, std::string_view marker)
     return marker == "//! main" ? &snippet.main : nullptr;
 }
 
-Result<void> addLine(Snippet& snippet, std::vector<SnippetLine>& section, std::string_view line, int number) {
-    auto pieces = parsePieces(line);
+// Text without placeholders runs on from line to line: the lines are neighbours in the file.
+void addPieces(Section& section, const std::vector<Piece>& line) {
+    for (const Piece& piece : line)
+        if (!section.pieces.empty() && section.pieces.back().placeholder == Placeholder::None) {
+            const std::string_view before = section.pieces.back().text;
+            section.pieces.back() = {{before.data(), before.size() + piece.text.size()}, piece.placeholder};
+        } else {
+            section.pieces.push_back(piece);
+        }
+}
+
+Result<void> addLine(Snippet& snippet, Section& section, std::string_view line, int number) {
+    const auto pieces = parsePieces(line);
     if (!pieces)
         return badLine(snippet.name, number, "the placeholders are ${light}, ${lane} and ${uv}");
-    section.push_back({std::move(*pieces), number});
+    addPieces(section, *pieces);
+    if (section.lineCount++ == 0)
+        section.firstLine = number;
     const auto kind = &section == &snippet.declarations ? findKind(line) : std::nullopt;
     if (!kind)
         return {};
@@ -124,23 +137,25 @@ Result<void> addLine(Snippet& snippet, std::vector<SnippetLine>& section, std::s
 
 Result<Snippet> parseSnippet(const SnippetFile& file) {
     Snippet snippet{file.name, {}, {}, {}, {}};
-    std::vector<SnippetLine>* section = nullptr;
+    Section* section = nullptr;
     int number = 0;
     for (std::string_view text = file.text; !text.empty();) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::size_t end = text.find('\n');
         const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
         ++number;
+        if (end == std::string_view::npos)
+            return badLine(file.name, number, "the last line does not end");
         if (line.starts_with("//!")) {
             section = findSection(snippet, line);
             if (!section)
                 return badLine(file.name, number, "the sections are declarations, functions and main");
         } else if (section) {
-            if (auto added = addLine(snippet, *section, line, number); !added)
+            if (auto added = addLine(snippet, *section, text.substr(0, end + 1), number); !added)
                 return added.error();
         } else if (!line.starts_with("//")) {
             return badLine(file.name, number, "GLSL before the first section");
         }
+        text.remove_prefix(end + 1);
     }
     return snippet;
 }

@@ -29,9 +29,11 @@ struct Piece {
     Placeholder placeholder;
 };
 
-struct SnippetLine {
+/// A section's lines, which stand together in the file, with their line ends.
+struct Section {
     std::vector<Piece> pieces;
-    int number; ///< In the file, from 1.
+    int firstLine = 0; ///< In the file, from 1.
+    int lineCount = 0;
 };
 
 /// "uniform vec3 uAmbient; // lights: linear radiance", taken apart. The name may hold placeholders.
@@ -46,7 +48,7 @@ struct Declaration {
 /// One parsed file: see generator/README.md for the contract.
 struct Snippet {
     std::string_view name;
-    std::vector<SnippetLine> declarations, functions, main;
+    Section declarations, functions, main;
     std::vector<Declaration> interface;
 };
 

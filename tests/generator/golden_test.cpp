@@ -64,6 +64,7 @@ constexpr Golden kGoldens[] = {
     {"ambient_black", "emissive-factor"},
     {"emissive", "emissive.emissive-uv1.uv1-transform+reinhard"},
     {"emissive_fast", "basecolor.emissive+ambient+sun1+decode-fast+srgb-fast"},
+    {"blend_fast", "basecolor.blend+sun1+decode-fast"},
     {"emissive_linear", "basecolor.emissive+ambient+sun1+decode-none"},
     {"mask_black", "basecolor.mask"},
     {"blend_lit", "basecolor.vertexcolor.blend+ambient+sun1+pow22"},
