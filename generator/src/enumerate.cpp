@@ -4,17 +4,22 @@
 #include "franken/generator/choices.h"
 #include "recipe.h"
 
+#include <algorithm>
 #include <random>
 
 namespace franken {
 namespace {
 
-constexpr int kProbes = 2048;
+constexpr int kProbes = 256;
 
-using Allowed = std::vector<unsigned>;
+// The choices that decide which others have an effect at all.
+constexpr std::string_view kGates[] = {"program", "view", "shading"};
 
-std::vector<unsigned> valuesOf(unsigned allowed) {
-    std::vector<unsigned> values;
+using Allowed = std::vector<unsigned>; ///< By choice: a bit for each value.
+using Values = std::vector<unsigned>;
+
+Values valuesOf(unsigned allowed) {
+    Values values;
     for (unsigned value = 0; allowed >> value; ++value)
         if (allowed >> value & 1U)
             values.push_back(value);
@@ -22,49 +27,68 @@ std::vector<unsigned> valuesOf(unsigned allowed) {
 }
 
 // mt19937's numbers are the same everywhere; those of the standard's distributions are not.
-Permutation randomPermutation(const std::vector<std::vector<unsigned>>& values, std::mt19937& random) {
+Permutation randomPermutation(const std::vector<Values>& values, std::mt19937& random) {
     Permutation permutation;
     for (std::size_t i = 0; i < values.size(); ++i)
         choices()[i].set(permutation, values[i][random() % values[i].size()]);
     return permutation;
 }
 
-bool matters(const Choice& choice, const std::vector<unsigned>& values, Permutation permutation) {
-    const std::vector<Step> steps = plan(permutation);
-    for (const unsigned value : values) {
-        choice.set(permutation, value);
-        if (plan(permutation) != steps)
-            return true;
-    }
-    return false;
+struct Word {
+    std::size_t choice;
+    unsigned value;
+};
+
+bool matters(Word word, Permutation permutation) {
+    choices()[word.choice].set(permutation, 0);
+    const std::vector<Step> without = plan(permutation);
+    choices()[word.choice].set(permutation, word.value);
+    return plan(permutation) != without;
 }
 
-// Leaves only the default to each choice that may have it and that no probe shows to matter.
-Allowed withoutDeadChoices(Allowed allowed) {
-    std::vector<std::vector<unsigned>> values;
-    std::vector<std::size_t> unproven;
+// Takes away the words that no probe shows to matter; they would be dropped. A choice that needs one of
+// them is left without a value.
+Allowed withoutDeadWords(Allowed allowed) {
+    std::vector<Values> values;
+    std::vector<Word> unproven;
     for (std::size_t i = 0; i < allowed.size(); ++i) {
         values.push_back(valuesOf(allowed[i]));
-        if (allowed[i] & 1U && values[i].size() > 1)
-            unproven.push_back(i);
+        for (const unsigned value : valuesOf(allowed[i] & ~1U))
+            unproven.push_back({i, value});
     }
     std::mt19937 random;
     for (int probe = 0; probe < kProbes && !unproven.empty(); ++probe) {
         const Permutation permutation = randomPermutation(values, random);
-        std::erase_if(unproven, [&](std::size_t i) { return matters(choices()[i], values[i], permutation); });
+        std::erase_if(unproven, [&](Word word) { return matters(word, permutation); });
     }
-    for (const std::size_t dead : unproven)
-        allowed[dead] = 1;
+    for (const Word dead : unproven)
+        allowed[dead.choice] &= ~(1U << dead.value);
     return allowed;
 }
 
-class Enumeration {
+// Parts in which a gate has one value each, and only words that matter are left; empty parts are left out.
+void split(const Allowed& allowed, std::span<const std::string_view> gates, std::vector<Allowed>& parts) {
+    const Allowed living = withoutDeadWords(allowed);
+    if (std::count(living.begin(), living.end(), 0U) > 0)
+        return;
+    if (gates.empty())
+        return parts.push_back(living);
+    const auto gate = std::find_if(choices().begin(), choices().end(),
+                                   [&](const Choice& choice) { return choice.name == gates.front(); });
+    const auto index = static_cast<std::size_t>(gate - choices().begin());
+    for (const unsigned value : valuesOf(living[index])) {
+        Allowed part = living;
+        part[index] = 1U << value;
+        split(part, gates.subspan(1), parts);
+    }
+}
+
+// The permutations of one part, by their number of words.
+class Part {
 public:
-    Enumeration(Allowed allowed, const std::function<bool(const Permutation&)>& visit,
-                const std::function<void(std::uint64_t)>& tried)
+    Part(Allowed allowed, const std::function<bool(const Permutation&)>& offer)
         : m_allowed(std::move(allowed)),
-          m_visit(visit),
-          m_tried(tried),
+          m_offer(offer),
           m_least(m_allowed.size() + 1),
           m_most(m_allowed.size() + 1) {
         for (std::size_t i = m_allowed.size(); i-- > 0;) {
@@ -73,19 +97,15 @@ public:
         }
     }
 
-    void run() {
-        for (std::size_t words = m_least[0]; words <= m_most[0]; ++words)
-            if (!choose(0, words))
-                return;
-    }
+    // Offers all that have so many words; false once that was enough.
+    bool offerAll(std::size_t words) { return choose(0, words); }
 
 private:
-    // Spreads that many words over the choices from `index` on; false once the visitor has had enough.
     bool choose(std::size_t index, std::size_t words) {
         if (words < m_least[index] || words > m_most[index])
             return true;
         if (index == m_allowed.size())
-            return offer();
+            return m_offer(m_permutation);
         const Choice& choice = choices()[index];
         for (const unsigned value : valuesOf(words > 0 ? m_allowed[index] & ~1U : 0)) {
             choice.set(m_permutation, value);
@@ -96,26 +116,33 @@ private:
         return !(m_allowed[index] & 1U) || choose(index + 1, words);
     }
 
-    bool offer() {
-        if (++m_candidates % 1024 == 0 && m_tried)
-            m_tried(m_candidates);
-        const auto canonical = canonicalise(m_permutation);
-        return !canonical || !canonical->dropped.empty() || m_visit(m_permutation);
-    }
-
     Allowed m_allowed;
-    const std::function<bool(const Permutation&)>& m_visit;
-    const std::function<void(std::uint64_t)>& m_tried;
+    const std::function<bool(const Permutation&)>& m_offer;
     std::vector<std::size_t> m_least, m_most; ///< Words that the choices from an index on need, and can take.
     Permutation m_permutation;
-    std::uint64_t m_candidates = 0;
 };
 
 } // namespace
 
-void enumerateCanonical(std::vector<unsigned> allowed, const std::function<bool(const Permutation&)>& visit,
+void enumerateCanonical(const std::vector<unsigned>& allowed,
+                        const std::function<bool(const Permutation&)>& visit,
                         const std::function<void(std::uint64_t)>& tried) {
-    Enumeration(withoutDeadChoices(std::move(allowed)), visit, tried).run();
+    std::uint64_t candidates = 0;
+    const std::function<bool(const Permutation&)> offer = [&](const Permutation& permutation) {
+        if (++candidates % 1024 == 0 && tried)
+            tried(candidates);
+        const auto canonical = canonicalise(permutation);
+        return !canonical || !canonical->dropped.empty() || visit(permutation);
+    };
+    std::vector<Allowed> allowedParts;
+    split(allowed, kGates, allowedParts);
+    std::vector<Part> parts;
+    for (Allowed& part : allowedParts)
+        parts.emplace_back(std::move(part), offer);
+    for (std::size_t words = 0; words <= choices().size(); ++words)
+        for (Part& part : parts)
+            if (!part.offerAll(words))
+                return;
 }
 
 } // namespace franken

@@ -9,7 +9,8 @@
 namespace franken {
 
 /// Space::forEachCanonical, given a bit for each value that a choice may have.
-void enumerateCanonical(std::vector<unsigned> allowed, const std::function<bool(const Permutation&)>& visit,
+void enumerateCanonical(const std::vector<unsigned>& allowed,
+                        const std::function<bool(const Permutation&)>& visit,
                         const std::function<void(std::uint64_t)>& tried);
 
 } // namespace franken

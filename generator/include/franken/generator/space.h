@@ -32,9 +32,10 @@ public:
     /// write out can be listed from its simple end. `tried` hears every now and then how many combinations
     /// have been looked at; it may be empty.
     ///
-    /// Choices that change no text here (the lights, in a space of skies) are found by probing 2,048 random
-    /// combinations of a fixed seed, and not varied. The rarest effect of a choice shows in one combination
-    /// of fifty, so that one is missed with a probability below 1e-17, and a test compares with brute force.
+    /// Words that change no text here (the lights, in a space of skies) are found by probing 256 random
+    /// combinations, of a fixed seed, of each kind of program and view, and are left out. The rarest effect
+    /// of a word shows in about one combination of ten, so that a word is missed with a probability of 1e-11;
+    /// a test looks for missing ones among thousands of random ones.
     void forEachCanonical(const std::function<bool(const Permutation&)>& visit,
                           const std::function<void(std::uint64_t)>& tried = {}) const;
 

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/permutation.h"
+
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace franken::cli {
+
+enum class Style { Plain, Bold, Dim, Red, Green, Cyan };
+
+/// Standard output for data, standard error for messages. Data is coloured on a terminal only, and never
+/// where NO_COLOR is set (no-color.org).
+class Console {
+public:
+    Console();
+
+    void write(std::string_view data);
+    std::string paint(Style style, std::string_view text) const;
+
+    void note(std::string_view message) const;
+    void error(const Error& error) const;
+    void dropped(std::string_view name, const std::vector<Dropped>& dropped) const;
+
+    /// One line on a terminal's standard error, overwritten by the next, at most ten a second, and none
+    /// for work that is done in half a second. A total of 0 is an unknown one.
+    void progress(std::string_view what, std::size_t done, std::size_t total);
+    void endProgress();
+
+    /// Whether all data reached standard output.
+    bool flush();
+
+private:
+    using Clock = std::chrono::steady_clock;
+
+    bool m_color;
+    bool m_progress;
+    bool m_progressShown = false;
+    Clock::time_point m_nextProgress;
+};
+
+} // namespace franken::cli

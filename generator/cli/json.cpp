@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "json.h"
+
+#include "franken/generator/choices.h"
+
+#include <nlohmann/json.hpp>
+
+namespace franken::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json document(const char* command) { return {{"schema", kJsonSchema}, {"command", command}}; }
+
+std::string print(const Json& json) { return json.dump(2) + "\n"; }
+
+Json identity(const Permutation& permutation) {
+    return {{"name", toName(permutation)}, {"key", toHex(toKey(permutation))}};
+}
+
+Json stagesOf(const Uniform& uniform) {
+    Json stages = Json::array();
+    if (uniform.vertex)
+        stages.push_back("vertex");
+    if (uniform.fragment)
+        stages.push_back("fragment");
+    return stages;
+}
+
+Json toJson(const Interface& interface) {
+    Json json = {{"attributes", Json::array()},
+                 {"varyings", Json::array()},
+                 {"uniforms", Json::array()},
+                 {"samplers", Json::array()}};
+    for (const Attribute& each : interface.attributes)
+        json["attributes"].push_back(
+            {{"name", each.name}, {"type", toGlsl(each.type)}, {"location", each.location}});
+    for (const Varying& each : interface.varyings)
+        json["varyings"].push_back({{"name", each.name}, {"type", toGlsl(each.type)}});
+    for (const Uniform& each : interface.uniforms)
+        json["uniforms"].push_back({{"name", each.name},
+                                    {"type", toGlsl(each.type)},
+                                    {"count", each.count},
+                                    {"block", toText(each.block)},
+                                    {"stages", stagesOf(each)}});
+    for (const Sampler& each : interface.samplers)
+        json["samplers"].push_back({{"name", each.name},
+                                    {"type", toGlsl(each.type)},
+                                    {"unit", each.unit},
+                                    {"block", toText(each.block)}});
+    return json;
+}
+
+Json toJson(const Program& program, Texts texts) {
+    Json json = identity(program.permutation);
+    json["vertexKey"] = toHex(stageKey(program.permutation, Stage::Vertex));
+    json["fragmentKey"] = toHex(stageKey(program.permutation, Stage::Fragment));
+    const bool files = texts == Texts::InFiles;
+    json["vertex"] = files ? program.file + ".vert" : program.composed.vertex.text;
+    json["fragment"] = files ? program.file + ".frag" : program.composed.fragment.text;
+    json["interface"] = toJson(program.composed.interface);
+    return json;
+}
+
+Json toJson(const std::vector<ExplainedLine>& lines) {
+    Json json = Json::array();
+    for (const ExplainedLine& line : lines) {
+        Json each = {{"text", line.text}, {"origin", sourceOf(line.origin)}};
+        if (line.reason) {
+            each["words"] = line.reason->words;
+            each["needed"] = line.reason->kind == Reason::Kind::All;
+        }
+        json.push_back(std::move(each));
+    }
+    return json;
+}
+
+Json toJson(const ProfileBudget& each) {
+    Json json = {{"profile", each.profile.name}, {"fits", each.budget.fits()}};
+    for (const Use& use : each.budget.uses)
+        json[std::string(toText(use.resource))] = {{"used", use.used}, {"limit", use.limit}};
+    for (const Burst& burst : each.bursts)
+        for (const Feature& feature : burst.features)
+            json[std::string(toText(burst.use.resource))]["without"][feature.word] = feature.used;
+    return json;
+}
+
+} // namespace
+
+std::string listJson(const std::vector<Permutation>& listed, const Selected& selected) {
+    Json json = document("list");
+    json["count"] = selected.count;
+    json["complete"] = selected.complete;
+    json["product"] = selected.product;
+    json["permutations"] = Json::array();
+    for (const Permutation& permutation : listed)
+        json["permutations"].push_back(identity(permutation));
+    return print(json);
+}
+
+std::string wordsJson() {
+    Json json = document("list");
+    json["choices"] = Json::array();
+    for (const Choice& choice : choices()) {
+        Json options = Json::array();
+        for (const Option& option : choice.options)
+            options.push_back({{"word", option.word}, {"meaning", option.meaning}});
+        json["choices"].push_back({{"name", choice.name}, {"options", std::move(options)}});
+    }
+    return print(json);
+}
+
+std::string dumpJson(const std::vector<Program>& programs, Texts texts) {
+    Json json = document("dump");
+    json["programs"] = Json::array();
+    for (const Program& program : programs)
+        json["programs"].push_back(toJson(program, texts));
+    return print(json);
+}
+
+std::string explainJson(const Explanation& explanation) {
+    Json json = document("explain");
+    json.update(identity(explanation.program.permutation));
+    json["dropped"] = Json::array();
+    for (const Dropped& dropped : explanation.dropped)
+        json["dropped"].push_back({{"word", dropped.word}, {"reason", dropped.reason}});
+    json["budgets"] = Json::array();
+    for (const ProfileBudget& each : explanation.budgets)
+        json["budgets"].push_back(toJson(each));
+    json["vertex"] = toJson(explanation.vertex);
+    json["fragment"] = toJson(explanation.fragment);
+    return print(json);
+}
+
+std::string diffJson(const Program& first, const Program& second, const std::string& vertex,
+                     const std::string& fragment) {
+    Json json = document("diff");
+    json["first"] = identity(first.permutation);
+    json["second"] = identity(second.permutation);
+    json["same"] = vertex.empty() && fragment.empty();
+    json["vertex"] = vertex;
+    json["fragment"] = fragment;
+    return print(json);
+}
+
+std::string checkJson(std::size_t programs, const std::vector<std::string>& profiles, bool glslangAsked,
+                      const std::vector<Finding>& findings) {
+    Json json = document("check");
+    json["programs"] = programs;
+    json["profiles"] = profiles;
+    json["glslangAsked"] = glslangAsked;
+    json["findings"] = Json::array();
+    for (const Finding& each : findings)
+        json["findings"].push_back({{"program", each.program},
+                                    {"check", each.check},
+                                    {"where", each.where},
+                                    {"what", each.what},
+                                    {"remedy", each.remedy}});
+    return print(json);
+}
+
+} // namespace franken::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "explanation.h"
+#include "finding.h"
+#include "program.h"
+#include "selection.h"
+
+#include <string>
+#include <vector>
+
+namespace franken::cli {
+
+/// Raised when a member of the output below changes its meaning or goes; new members may come at any time.
+inline constexpr int kJsonSchema = 1;
+
+// One document a command, ended by a newline. All begin with "schema" and "command".
+
+std::string listJson(const std::vector<Permutation>& listed, const Selected& selected);
+
+/// What `list --words` tells: the choices, and the words and meanings of their values.
+std::string wordsJson();
+
+/// Whether the programs' texts are in files beside the document, which names them, or in the document.
+enum class Texts { InFiles, Inline };
+std::string dumpJson(const std::vector<Program>& programs, Texts texts);
+
+std::string explainJson(const Explanation& explanation);
+std::string diffJson(const Program& first, const Program& second, const std::string& vertex,
+                     const std::string& fragment);
+std::string checkJson(std::size_t programs, const std::vector<std::string>& profiles, bool glslangAsked,
+                      const std::vector<Finding>& findings);
+
+} // namespace franken::cli

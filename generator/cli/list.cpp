@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "commands.h"
+#include "json.h"
+#include "selection.h"
+
+#include "franken/generator/choices.h"
+
+namespace franken::cli {
+namespace {
+
+void writeWords(Console& console) {
+    for (const Choice& choice : choices()) {
+        console.write(console.paint(Style::Bold, choice.name) + "\n");
+        for (const Option& option : choice.options) {
+            std::string word(option.word);
+            word.resize(std::max<std::size_t>(word.size(), 20), ' ');
+            console.write("  " + console.paint(Style::Cyan, word) + "  " + std::string(option.meaning) +
+                          "\n");
+        }
+    }
+}
+
+} // namespace
+
+ExitCode run(const ListOptions& options, Console& console) {
+    if (options.words)
+        return options.json ? console.write(wordsJson()) : writeWords(console), ExitCode::Ok;
+    std::vector<Permutation> listed;
+    const auto selected = select(options.selection, console, [&](const Permutation& permutation) {
+        if (options.json && !options.count)
+            listed.push_back(permutation);
+        else if (!options.count)
+            console.write(toName(permutation) + "\n");
+    });
+    if (!selected)
+        return ExitCode::Refused;
+    if (options.json)
+        console.write(listJson(listed, *selected));
+    else if (options.count)
+        console.write(std::to_string(selected->count) + "\n");
+    console.note(std::to_string(selected->count) +
+                 (selected->complete ? " listed" : " listed, there are more") +
+                 "; the product of the choices is " + std::to_string(selected->product));
+    return ExitCode::Ok;
+}
+
+} // namespace franken::cli

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/compose.h"
+
+#include <string>
+
+namespace franken::cli {
+
+/// A composed permutation and what it is called.
+struct Program {
+    explicit Program(const Permutation& canonical);
+
+    Permutation permutation;
+    std::string name;
+    std::string file; ///< Its files' name without extension: the name, or the key where that is too long.
+    Composed composed;
+};
+
+/// "0x1000000000000004"
+std::string toHex(Key key);
+
+/// "generator/glsl/fragment/gltf.glsl:12"; empty for a line that no snippet wrote.
+std::string sourceOf(const LineOrigin& origin);
+
+/// A text's lines, without their ends. They are views of the text.
+std::vector<std::string_view> linesOf(std::string_view text);
+std::vector<std::string_view> linesOf(std::string&& text) = delete;
+
+} // namespace franken::cli
