@@ -59,8 +59,8 @@ TEST(GltfCorpus, ValidFilesLoadOrNameTheExtension) {
     for (const auto& [code, errors] : loadAll(folder))
         for (const std::string& error : errors) {
             const std::string path = error.substr(0, error.find(": "));
-            if (!hopeless.contains(std::filesystem::path(path).filename().string()))
-                EXPECT_EQ(code, "gltf.extension") << error;
+            const bool mayFail = hopeless.contains(std::filesystem::path(path).filename().string());
+            EXPECT_TRUE(mayFail || code == "gltf.extension") << error;
         }
 }
 
