@@ -3,8 +3,8 @@
 //! functions
 // pi D V N.L. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
-  float smithV = root((nDotV * surface.smith.x) * nDotV + surface.smith.y) * light.x;
-  float width = light.z - surface.slope * light.y;
+  float width = light.z - light.y * surface.slope;
   float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  return light.z * light.z * surface.gain * light.x * inverse(width * width * (smithV + smithL));
+  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
 }
