@@ -5,7 +5,7 @@
 vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
   float nDotL = max(dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  float h2 = max(2.0 * dot(toCamera, toLight) + 2.0, 1.0e-6);
+  float h2 = 2.0 * dot(toCamera, toLight) + 2.000002;
   float x = 1.0 - root(0.25 * h2);
   float x2 = x * x;
   return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
