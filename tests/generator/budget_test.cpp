@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "franken/generator/budget.h"
+#include "franken/generator/compose.h"
+#include "franken/generator/covering.h"
+#include "franken/generator/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace franken;
+
+namespace {
+
+Permutation named(std::string_view name) {
+    const auto parsed = parseName(name);
+    EXPECT_TRUE(parsed) << name;
+    const auto canonical = canonicalise(*parsed);
+    EXPECT_TRUE(canonical) << name;
+    EXPECT_TRUE(canonical->dropped.empty()) << name;
+    return canonical->permutation;
+}
+
+Profile profile(std::string_view name) { return findProfile(name).value(); }
+
+struct PackingRow {
+    const char* what;
+    std::vector<Type> varyings;
+    int vectors;
+};
+
+// Worked by hand after appendix A.7 of the GLSL ES 1.00 specification.
+const PackingRow kPacking[] = {
+    {"nothing", {}, 0},
+    {"a float", {Type::Float}, 1},
+    {"four floats share a row", {Type::Float, Type::Float, Type::Float, Type::Float}, 1},
+    {"two vec2 share a row", {Type::Vec2, Type::Vec2}, 1},
+    {"three vec2 take two", {Type::Vec2, Type::Vec2, Type::Vec2}, 2},
+    {"a float beside a vec3", {Type::Float, Type::Vec3}, 1},
+    {"a vec2 fits beside no vec3", {Type::Vec2, Type::Vec3}, 2},
+    {"two floats beside a vec2", {Type::Float, Type::Vec2, Type::Float}, 1},
+    {"a mat3 leaves three floats", {Type::Float, Type::Mat3, Type::Float, Type::Float}, 3},
+    {"a mat4 leaves nothing", {Type::Mat4, Type::Float}, 5},
+    {"vec4, vec3 and float, vec2 and vec2", {Type::Vec2, Type::Vec4, Type::Float, Type::Vec3, Type::Vec2}, 3},
+};
+
+TEST(Budget, PacksVaryingsAsTheSpecificationDoes) {
+    for (const PackingRow& row : kPacking) {
+        Interface interface;
+        for (const Type type : row.varyings)
+            interface.varyings.push_back({"v", type});
+        EXPECT_EQ(budget(interface, profile("vc4"))[Resource::Varyings].used, row.vectors) << row.what;
+    }
+}
+
+TEST(Budget, ArraysStayTogether) {
+    Interface interface;
+    interface.uniforms = {{"coefficients", Type::Vec3, 9, Block::Lights, false, true},
+                          {"weights", Type::Float, 9, Block::Lights, false, true},
+                          {"pairs", Type::Vec2, 3, Block::Lights, true, true}};
+    const Budget result = budget(interface, profile("vc4"));
+    EXPECT_EQ(result[Resource::FragmentUniforms].used, 12)
+        << "nine rows with the floats beside, three of pairs";
+    EXPECT_EQ(result[Resource::VertexUniforms].used, 3) << "an array is not split over two columns";
+}
+
+TEST(Budget, CountsEachResourceOnItsOwn) {
+    Interface interface;
+    interface.attributes = {{"aPosition", Type::Vec3, 0}, {"aUv0", Type::Vec2, 3}};
+    interface.samplers = {{"uNormalTexture", Type::Sampler2D, 1, Block::Material}};
+    const Budget result = budget(interface, profile("es2-minimum"));
+    EXPECT_EQ(result[Resource::Attributes].used, 2) << "attributes are never packed";
+    EXPECT_EQ(result[Resource::Samplers].used, 1);
+    EXPECT_EQ(result[Resource::Samplers].limit, 8);
+    EXPECT_EQ(result[Resource::FragmentUniforms].limit, 16);
+    EXPECT_TRUE(result.fits());
+}
+
+TEST(Budget, AProfileIsFoundByNameOrTheNamesAreOffered) {
+    for (const Profile& each : profiles())
+        EXPECT_EQ(findProfile(each.name)->name, each.name);
+    const auto missing = findProfile("vc5");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().code, "budget.unknown-profile");
+    EXPECT_NE(missing.error().remedy.find("es2-minimum"), std::string::npos);
+}
+
+TEST(Budget, TheCoveringSetFitsThePis) {
+    for (const Permutation& permutation : coveringSet()) {
+        const Interface interface = compose(permutation).interface;
+        EXPECT_TRUE(budget(interface, profile("vc4")).fits()) << toName(permutation);
+        EXPECT_TRUE(budget(interface, profile("v3d")).fits()) << toName(permutation);
+    }
+}
+
+TEST(Budget, NamesWhatToGiveUp) {
+    const Permutation permutation = named("basecolor+sh+sun4+lamp4+spots");
+    const Budget burst = budget(compose(permutation).interface, profile("es2-minimum"));
+    ASSERT_TRUE(burst[Resource::FragmentUniforms].bursts());
+    const std::vector<Feature> features = costlyFeatures(permutation, Resource::FragmentUniforms);
+    std::set<std::string> words;
+    for (const Feature& feature : features) {
+        words.insert(feature.word);
+        EXPECT_LT(feature.used, burst[Resource::FragmentUniforms].used) << feature.word;
+    }
+    EXPECT_TRUE(words.count("sh") && words.count("sun4") && words.count("spots"));
+    EXPECT_FALSE(words.count("lamp4")) << "spots need lamps";
+    EXPECT_TRUE(std::is_sorted(features.begin(), features.end(),
+                               [](const Feature& a, const Feature& b) { return a.used < b.used; }));
+}
+
+TEST(Budget, WhatAFeatureIsSaidToLeaveIsWhatItLeaves) {
+    const Budget without = budget(compose(named("normal+sun2")).interface, profile("vc4"));
+    for (const Feature& feature : costlyFeatures(named("normal+sh+sun2"), Resource::FragmentUniforms)) {
+        if (feature.word == "sh") {
+            EXPECT_EQ(feature.used, without[Resource::FragmentUniforms].used);
+        }
+    }
+}
+
+std::string reasonOf(const Permutation& permutation, std::string_view snippet) {
+    for (const Reason& reason : explain(permutation))
+        if (reason.snippet == snippet)
+            return toText(reason);
+    return "no such snippet";
+}
+
+TEST(Explain, NamesTheWordsThatBroughtASnippet) {
+    const Permutation permutation = named("basecolor+sun1+lamp1+spots+aces");
+    EXPECT_EQ(reasonOf(permutation, "fragment/base_texture"), "basecolor");
+    EXPECT_EQ(reasonOf(permutation, "fragment/lamp_spot"), "lamp1+spots");
+    EXPECT_EQ(reasonOf(permutation, "fragment/gltf"), "sun1 or others");
+    EXPECT_EQ(reasonOf(permutation, "fragment/tone_aces"), "aces");
+    EXPECT_EQ(reasonOf(permutation, "vertex/position"), "");
+    EXPECT_EQ(reasonOf(named("basecolor+sun1+aces"), "fragment/gltf"), "sun1");
+}
+
+TEST(Explain, LeavesNoSnippetOfThePopulationOut) {
+    for (const Permutation& permutation : coveringSet()) {
+        std::set<std::string, std::less<>> explained;
+        for (const Reason& reason : explain(permutation))
+            explained.insert(reason.snippet);
+        const Composed program = compose(permutation);
+        for (const ComposedStage* stage : {&program.vertex, &program.fragment})
+            for (const LineOrigin& line : stage->lines)
+                EXPECT_TRUE(line.snippet.empty() || explained.count(line.snippet)) << line.snippet;
+    }
+}
+
+} // namespace
