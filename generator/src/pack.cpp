@@ -143,6 +143,7 @@ constexpr Field kFields[] = {
     {Block::Object, "uModelViewProjection", offsetof(ObjectBlock, modelViewProjection)},
     {Block::Object, "uModel", offsetof(ObjectBlock, model)},
     {Block::Object, "uNormalMatrix", offsetof(ObjectBlock, normalMatrix)},
+    {Block::Object, "uOverlay", offsetof(ObjectBlock, overlay)},
 };
 
 // How far apart two neighbouring lights' values are.

@@ -80,7 +80,7 @@ std::vector<std::array<float, 4>> shade(const Gl& gl, const Permutation& permuta
         frame.edit() = points[i].frame;
         lights.edit() = points[i].lights;
         material.edit() = points[i].material;
-        object.edit() = {kIdentity4, kPoint, kIdentity3};
+        object.edit() = {kIdentity4, kPoint, kIdentity3, kIdentity3};
         (*program)->feed({frame.view(), lights.view(), material.view(), object.view()});
         gl.Viewport(static_cast<GLint>(i) % kWidth, static_cast<GLint>(i) / kWidth, 1, 1);
         drawPoint(gl, points[i]);

@@ -29,7 +29,7 @@ glm::dmat3 cofactors(const glm::dmat3& m) {
 }
 
 ObjectBlock packObject(const Drawable& drawable, const glm::dmat4& viewProjection) {
-    ObjectBlock block;
+    ObjectBlock block{};
     round(block.modelViewProjection, viewProjection * drawable.world);
     round(block.model, drawable.world);
     const double side = drawable.mirrored ? -1 : 1;

@@ -108,6 +108,7 @@ struct ObjectBlock {
     Float16 modelViewProjection;
     Float16 model;
     Float9 normalMatrix; ///< Inverse transpose of the model's upper 3x3; any scale
+    Float9 overlay;      ///< Overlays alone: (x, y, 1) in their units to clip space
 };
 
 /// Where a uniform's value starts in its block, in floats; -1 where the block has no such uniform. Tests
