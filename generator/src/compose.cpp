@@ -13,29 +13,6 @@
 namespace franken {
 namespace {
 
-constexpr std::string_view kLights[] = {"Sun0", "Sun1", "Sun2", "Sun3", "Lamp0", "Lamp1", "Lamp2", "Lamp3"};
-constexpr std::string_view kLanes[] = {"x", "y", "z", "w"};
-constexpr std::string_view kUvs[] = {"vUv0", "vUv1"};
-
-std::string_view replacement(Placeholder placeholder, const Step& step) {
-    switch (placeholder) {
-    case Placeholder::Light:
-        return kLights[step.light + (recipe()[step.row].each == Each::Lamp ? Permutation::kMaxLights : 0)];
-    case Placeholder::Lane:
-        return kLanes[step.light];
-    case Placeholder::Uv:
-        return kUvs[static_cast<std::size_t>(step.uv)];
-    case Placeholder::None:
-        break;
-    }
-    return {};
-}
-
-void append(std::string& text, const std::vector<Piece>& pieces, const Step& step) {
-    for (const Piece& piece : pieces)
-        text.append(piece.text).append(replacement(piece.placeholder, step));
-}
-
 class Writer {
 public:
     explicit Writer(ComposedStage& stage) : m_stage(stage) {
@@ -43,23 +20,24 @@ public:
         m_stage.lines.reserve(192);
     }
 
-    void own(std::string_view line) {
-        m_stage.text.append(line).push_back('\n');
+    void own(std::initializer_list<std::string_view> line) {
+        for (const std::string_view part : line)
+            m_stage.text.append(part);
+        m_stage.text.push_back('\n');
         m_stage.lines.push_back({{}, 0});
     }
+    void own(std::string_view line) { own({line}); }
 
-    void section(const std::vector<Step>& steps, Section Snippet::*which,
+    void section(const std::vector<const Part*>& parts, Part::Section Part::*which,
                  std::optional<std::string_view> before = std::nullopt) {
-        for (const Step& step : steps) {
-            const Snippet& snippet = snippetOf(step.row);
-            const Section& section = snippet.*which;
-            if (section.lineCount == 0)
+        for (const Part* part : parts) {
+            const Part::Section& section = part->*which;
+            if (section.lines.empty())
                 continue;
             if (before)
                 own(*before);
-            append(m_stage.text, section.pieces, step);
-            for (int line = 0; line < section.lineCount; ++line)
-                m_stage.lines.push_back({snippet.name, section.firstLine + line});
+            m_stage.text.append(section.text);
+            m_stage.lines.insert(m_stage.lines.end(), section.lines.begin(), section.lines.end());
         }
     }
 
@@ -74,56 +52,47 @@ void writeHeader(Writer& writer, const Permutation& permutation, Stage stage) {
     for (const Choice& choice : choices())
         if (const unsigned value = choice.get(permutation); value != 0) {
             const bool flag = choice.options.size() == 2;
-            writer.own("//   " + std::string(choice.name) + ": " +
-                       (flag ? std::string("1") : std::string(choice.options[value].word)));
+            writer.own({"//   ", choice.name, ": ", flag ? "1" : choice.options[value].word});
         }
     writer.own("//");
     writer.own(stage == Stage::Vertex ? "// VERTEX SHADER" : "// FRAGMENT SHADER");
     writer.own("//");
 }
 
-void addUniform(Interface& interface, const Declaration& declaration, std::string name, Stage stage) {
-    const auto known = std::find_if(interface.uniforms.begin(), interface.uniforms.end(),
-                                    [&](const Uniform& uniform) { return uniform.name == name; });
-    if (known != interface.uniforms.end()) {
-        known->fragment = true;
-        return;
-    }
-    const bool vertex = stage == Stage::Vertex;
-    interface.uniforms.push_back(
-        {std::move(name), declaration.type, declaration.count, declaration.block, vertex, !vertex});
+void addUniform(Interface& interface, const Uniform& uniform) {
+    for (Uniform& known : interface.uniforms)
+        if (known.fragment != uniform.fragment && known.name == uniform.name) {
+            known.vertex = known.fragment = true;
+            return;
+        }
+    interface.uniforms.push_back(uniform);
 }
 
-void addDeclaration(Interface& interface, const Declaration& declaration, const Step& step, Stage stage) {
-    std::string name;
-    append(name, declaration.name, step);
-    if (declaration.kind == Declaration::Kind::Attribute) {
-        const int location = attributeLocation(name);
-        interface.attributes.push_back({std::move(name), declaration.type, location});
-    } else if (declaration.kind == Declaration::Kind::Varying) {
-        if (stage == Stage::Vertex)
-            interface.varyings.push_back({std::move(name), declaration.type});
-    } else if (componentCount(declaration.type) == 0) {
-        const int unit = samplerUnit(name);
-        interface.samplers.push_back({std::move(name), declaration.type, unit, declaration.block});
-    } else {
-        addUniform(interface, declaration, std::move(name), stage);
-    }
+void addInterface(Interface& interface, const Interface& part) {
+    const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+    append(interface.attributes, part.attributes);
+    append(interface.varyings, part.varyings);
+    append(interface.samplers, part.samplers);
+    for (const Uniform& uniform : part.uniforms)
+        addUniform(interface, uniform);
 }
 
 void composeStage(const Permutation& permutation, Stage stage, ComposedStage& out, Interface& interface) {
     const std::vector<Step> steps = plan(permutation, stage);
+    std::vector<const Part*> parts;
+    parts.reserve(steps.size());
+    for (const Step& step : steps)
+        parts.push_back(&partOf(step));
     Writer writer(out);
     writeHeader(writer, withoutNoOps(permutation, stage), stage);
-    writer.section(steps, &Snippet::declarations);
-    writer.section(steps, &Snippet::functions, "");
+    writer.section(parts, &Part::declarations);
+    writer.section(parts, &Part::functions, "");
     writer.own("");
     writer.own("void main() {");
-    writer.section(steps, &Snippet::main);
+    writer.section(parts, &Part::main);
     writer.own("}");
-    for (const Step& step : steps)
-        for (const Declaration& declaration : snippetOf(step.row).interface)
-            addDeclaration(interface, declaration, step, stage);
+    for (const Part* part : parts)
+        addInterface(interface, part->interface);
 }
 
 // The line number in "0:12(5): ..." or "ERROR: 0:12: ...", 0 where there is none.
@@ -144,6 +113,10 @@ int reportedLine(std::string_view message) {
 
 Composed compose(const Permutation& permutation) {
     Composed composed;
+    composed.interface.attributes.reserve(8);
+    composed.interface.varyings.reserve(8);
+    composed.interface.uniforms.reserve(32);
+    composed.interface.samplers.reserve(8);
     composeStage(permutation, Stage::Vertex, composed.vertex, composed.interface);
     composeStage(permutation, Stage::Fragment, composed.fragment, composed.interface);
     return composed;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace franken {
 namespace {
@@ -215,8 +216,25 @@ static_assert(kRecipe[kVertexRows - 1].stage == kVertex);
 std::size_t firstRow(Stage stage) { return stage == kVertex ? 0 : kVertexRows; }
 std::size_t endRow(Stage stage) { return stage == kVertex ? kVertexRows : kRecipe.size(); }
 
-std::uint8_t count(const Permutation& p, Each each) {
-    return each == Each::Sun ? p.suns : each == Each::Lamp ? p.lamps : 1;
+std::uint8_t count(P p, Each each) { return each == Each::Sun ? p.suns : each == Each::Lamp ? p.lamps : 1; }
+
+template<std::size_t Index>
+void addRow(P p, N n, Outline& outline) {
+    constexpr Row row = kRecipe[Index];
+    const bool applies = row.when(p, n) && count(p, row.each) > 0;
+    outline.rows[Index] = applies;
+    if constexpr (row.uv != nullptr)
+        outline.readsUv1[Index] = applies && p.*row.uv == UvStream::Uv1;
+    if constexpr (row.each == Each::Sun)
+        outline.suns = applies ? p.suns : outline.suns;
+    if constexpr (row.each == Each::Lamp)
+        outline.lamps = applies ? p.lamps : outline.lamps;
+}
+
+// Spelt out row by row: no loop and no calls are left, and canonicalising is mostly this.
+template<std::size_t First, std::size_t... Index>
+void addRows(P p, N n, Outline& outline, std::index_sequence<Index...>) {
+    (addRow<First + Index>(p, n, outline), ...);
 }
 
 } // namespace
@@ -226,32 +244,28 @@ std::span<const Row> recipe() { return kRecipe; }
 Outline outline(const Permutation& p, Stage stage) {
     const Needs needs = needsOf(p);
     Outline result{};
-    for (std::size_t row = firstRow(stage); row < endRow(stage); ++row) {
-        const Row& r = kRecipe[row];
-        if (!r.when(p, needs) || count(p, r.each) == 0)
-            continue;
-        result.rows[row] = true;
-        result.readsUv1[row] = r.uv && p.*r.uv == UvStream::Uv1;
-        result.suns = r.each == Each::Sun ? p.suns : result.suns;
-        result.lamps = r.each == Each::Lamp ? p.lamps : result.lamps;
-    }
+    if (stage == kVertex)
+        addRows<0>(p, needs, result, std::make_index_sequence<kVertexRows>());
+    else
+        addRows<kVertexRows>(p, needs, result, std::make_index_sequence<kRecipe.size() - kVertexRows>());
     return result;
 }
 
 std::vector<Step> plan(const Permutation& p, Stage stage) {
-    const Needs needs = needsOf(p);
+    const Outline applying = outline(p, stage);
     std::vector<Step> steps;
-    steps.reserve(kRecipe.size());
-    for (std::size_t begin = firstRow(stage), end = begin; begin < endRow(stage); begin = end) {
+    steps.reserve(64);
+    for (std::size_t begin = firstRow(stage), end = begin + 1; begin < endRow(stage); begin = end++) {
+        if (!applying.rows[begin])
+            continue;
         const Each each = kRecipe[begin].each;
-        for (end = begin + 1; each != Each::Once && end < endRow(stage) && kRecipe[end].each == each;)
+        while (each != Each::Once && end < endRow(stage) && kRecipe[end].each == each)
             ++end;
         for (std::uint8_t light = 0; light < count(p, each); ++light)
             for (std::size_t row = begin; row < end; ++row)
-                if (kRecipe[row].when(p, needs)) {
-                    const UvStream uv = kRecipe[row].uv ? p.*kRecipe[row].uv : UvStream::Uv0;
-                    steps.push_back({static_cast<std::uint8_t>(row), light, uv});
-                }
+                if (applying.rows[row])
+                    steps.push_back({static_cast<std::uint8_t>(row), light,
+                                     applying.readsUv1[row] ? UvStream::Uv1 : UvStream::Uv0});
     }
     return steps;
 }

@@ -121,8 +121,7 @@ Result<void> addLine(Snippet& snippet, Section& section, std::string_view line, 
     if (!pieces)
         return badLine(snippet.name, number, "the placeholders are ${light}, ${lane} and ${uv}");
     addPieces(section, *pieces);
-    if (section.lineCount++ == 0)
-        section.firstLine = number;
+    section.lines.push_back({snippet.name, number});
     const auto kind = &section == &snippet.declarations ? findKind(line) : std::nullopt;
     if (!kind)
         return {};

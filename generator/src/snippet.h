@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "franken/generator/interface.h"
+#include "franken/generator/compose.h"
 #include "franken/result.h"
 
 #include <span>
@@ -29,11 +29,10 @@ struct Piece {
     Placeholder placeholder;
 };
 
-/// A section's lines, which stand together in the file, with their line ends.
+/// A section's text, line ends included, and where its lines stand.
 struct Section {
     std::vector<Piece> pieces;
-    int firstLine = 0; ///< In the file, from 1.
-    int lineCount = 0;
+    std::vector<LineOrigin> lines;
 };
 
 /// "uniform vec3 uAmbient; // lights: linear radiance", taken apart. The name may hold placeholders.

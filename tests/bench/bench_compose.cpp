@@ -31,9 +31,9 @@ void composeTypical(benchmark::State& state) {
 }
 
 void replaceTypical(benchmark::State& state) {
-    const bench::ReplaceComposer composer(typical());
+    const Permutation permutation = typical();
     for (auto _ : state)
-        benchmark::DoNotOptimize(composer.compose());
+        benchmark::DoNotOptimize(bench::composeByReplacing(permutation));
 }
 
 void copyText(benchmark::State& state) {
@@ -79,7 +79,7 @@ private:
 
 bool sameBytes() {
     const Composed program = compose(typical());
-    const auto [vertex, fragment] = bench::ReplaceComposer(typical()).compose();
+    const auto [vertex, fragment] = bench::composeByReplacing(typical());
     return vertex == program.vertex.text && fragment == program.fragment.text;
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "replace_composer.h"
 
+#include "canonical.h"
+#include "franken/generator/choices.h"
 #include "recipe.h"
 #include "snippet.h"
 
-#include <array>
 #include <map>
 #include <vector>
 
 namespace franken::bench {
 namespace {
 
-constexpr std::string_view kDeclarations = "VARIABLES", kFunctions = "FUNCTIONS", kMain = "SHADER_CODE";
+constexpr std::string_view kFlags = "FLAGS", kDeclarations = "VARIABLES", kFunctions = "FUNCTIONS",
+                           kMain = "SHADER_CODE";
 
 struct Sections {
     std::string declarations, functions, main;
@@ -23,7 +25,7 @@ std::string sectionOf(std::string_view file, std::string_view marker) {
     if (at == std::string_view::npos)
         return {};
     const std::string_view rest = file.substr(at + marker.size());
-    return std::string(rest.substr(0, rest.find("//! ")));
+    return (marker == "//! functions\n" ? "\n" : "") + std::string(rest.substr(0, rest.find("//! ")));
 }
 
 const std::vector<Sections>& sections() {
@@ -46,45 +48,49 @@ void replaceAll(std::string& text, std::string_view marker, std::string_view wit
         text.replace(at, marker.size(), with);
 }
 
-void insertBefore(std::string& text, std::string_view marker, const std::string& glsl) {
-    if (!glsl.empty())
-        replaceAll(text, marker, glsl + std::string(marker));
-}
-
-std::string headOf(const ComposedStage& stage, std::string_view end) {
-    return stage.text.substr(0, stage.text.find(end) + end.size());
-}
-
-} // namespace
-
-ReplaceComposer::ReplaceComposer(const Permutation& permutation) : m_permutation(permutation) {
-    const Composed program = franken::compose(permutation);
-    m_vertexHead = headOf(program.vertex, "// VERTEX SHADER\n//\n");
-    m_fragmentHead = headOf(program.fragment, "// FRAGMENT SHADER\n//\n");
-    sections();
-}
-
-std::string ReplaceComposer::composeStage(Stage stage, const std::string& head) const {
-    constexpr std::array<std::string_view, 2> kUvs = {"vUv0", "vUv1"};
-    std::string text = "HEADVARIABLESFUNCTIONS\nvoid main() {\nSHADER_CODE}\n";
-    replaceAll(text, "HEAD", head);
-    for (const Step& step : plan(m_permutation, stage)) {
-        const Sections& section = sections()[step.row];
-        insertBefore(text, kDeclarations, section.declarations);
-        insertBefore(text, kFunctions, section.functions.empty() ? "" : "\n" + section.functions);
-        insertBefore(text, kMain, section.main);
-        const bool lamp = recipe()[step.row].each == Each::Lamp;
-        replaceAll(text, "${light}", (lamp ? "Lamp" : "Sun") + std::to_string(step.light));
-        replaceAll(text, "${lane}", std::string_view("xyzw").substr(step.light, 1));
-        replaceAll(text, "${uv}", kUvs[static_cast<std::size_t>(step.uv)]);
+void insertBefore(std::string& text, std::string_view marker, const std::string& glsl, const Step& step) {
+    if (glsl.empty())
+        return;
+    std::string piece = glsl;
+    if (const Each each = recipe()[step.row].each; each != Each::Once) {
+        replaceAll(piece, "${light}", (each == Each::Lamp ? "Lamp" : "Sun") + std::to_string(step.light));
+        replaceAll(piece, "${lane}", std::string_view("xyzw").substr(step.light, 1));
     }
-    for (const std::string_view marker : {kDeclarations, kFunctions, kMain})
+    if (recipe()[step.row].uv != nullptr)
+        replaceAll(piece, "${uv}", step.uv == UvStream::Uv0 ? "vUv0" : "vUv1");
+    replaceAll(text, marker, piece.append(marker));
+}
+
+void insertFlags(std::string& text, const Permutation& permutation) {
+    for (const Choice& choice : choices())
+        if (const unsigned value = choice.get(permutation); value != 0) {
+            const bool flag = choice.options.size() == 2;
+            std::string line = "//   ";
+            line.append(choice.name).append(": ").append(flag ? "1" : choice.options[value].word);
+            replaceAll(text, kFlags, line.append("\n").append(kFlags));
+        }
+}
+
+std::string composeStage(const Permutation& permutation, Stage stage) {
+    std::string text = "#version 100\n// FrankenShader\nFLAGS//\n// NAME SHADER\n//\n"
+                       "VARIABLESFUNCTIONS\nvoid main() {\nSHADER_CODE}\n";
+    replaceAll(text, "NAME", stage == Stage::Vertex ? "VERTEX" : "FRAGMENT");
+    insertFlags(text, withoutNoOps(permutation, stage));
+    for (const Step& step : plan(permutation, stage)) {
+        const Sections& section = sections()[step.row];
+        insertBefore(text, kDeclarations, section.declarations, step);
+        insertBefore(text, kFunctions, section.functions, step);
+        insertBefore(text, kMain, section.main, step);
+    }
+    for (const std::string_view marker : {kFlags, kDeclarations, kFunctions, kMain})
         replaceAll(text, marker, "");
     return text;
 }
 
-std::pair<std::string, std::string> ReplaceComposer::compose() const {
-    return {composeStage(Stage::Vertex, m_vertexHead), composeStage(Stage::Fragment, m_fragmentHead)};
+} // namespace
+
+std::pair<std::string, std::string> composeByReplacing(const Permutation& permutation) {
+    return {composeStage(permutation, Stage::Vertex), composeStage(permutation, Stage::Fragment)};
 }
 
 } // namespace franken::bench

@@ -55,20 +55,20 @@ struct Surface {
 
 // pi D V N.L. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
-  float smithV = root((nDotV * surface.smith.x) * nDotV + surface.smith.y) * light.x;
-  float width = light.z - surface.slope * light.y;
+  float width = light.z - light.y * surface.slope;
   float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  return light.z * light.z * surface.gain * light.x * inverse(width * width * (smithV + smithL));
+  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
-  float mirror = lobe(light, nDotV, surface);
-  float rim = mirror * light.w;
-  float face = mirror - rim;
   float entering = light.x - light.x * light.w;
+  float mirror = lobe(light, nDotV, surface);
+  float rim = light.w * mirror;
+  float face = mirror - rim;
   diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += (surface.dielectric * face + rim) * radiance;
+  specular += radiance * (face * surface.dielectric + rim);
 }
 
 // normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;
@@ -76,7 +76,7 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec
 vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 scale, float nDotV, vec3 toLight) {
   float nDotL = max(scale.x * dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.00001;
+  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.000002;
   float x = 1.0 - root(0.25 * h2);
   float x2 = x * x;
   return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);

@@ -92,7 +92,7 @@ Surface makeSurface(vec3 base, float metallic, float roughness) {
 vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 scale, float nDotV, vec3 toLight) {
   float nDotL = max(scale.x * dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.00001;
+  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.000002;
   float x = 1.0 - root(0.25 * h2);
   float x2 = x * x;
   return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);

@@ -60,12 +60,12 @@ float lobe(vec4 light, float nDotV, Surface surface) {
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
-  float mirror = lobe(light, nDotV, surface);
-  float rim = mirror * light.w;
-  float face = mirror - rim;
   float entering = light.x - light.x * light.w;
+  float mirror = lobe(light, nDotV, surface);
+  float rim = light.w * mirror;
+  float face = mirror - rim;
   diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += (surface.dielectric * face + rim) * radiance;
+  specular += radiance * (face * surface.dielectric + rim);
 }
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.

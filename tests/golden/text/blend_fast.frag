@@ -1,0 +1,98 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   alpha: blend
+//   suns: sun1
+//   decode: decode-fast
+//
+// FRAGMENT SHADER
+//
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+varying vec2 vUv0;
+varying vec3 vNormal;
+varying vec3 vToCamera;
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform vec3 uBaseColorCubic[3]; // material: coefficients of c^3, c^2 and c, times the factor
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+
+float root(float x) {
+  return sqrt(x);
+}
+
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}
+
+float inverse(float x) {
+  return 1.0 / x;
+}
+
+struct Surface {
+  float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
+  float metal; // metalness
+  float dielectric; // 0.04 (1 - metalness)
+  float slope; // 1 - alpha^2
+  vec2 smith; // coefficients of the shadowing, by BRDF
+  float gain; // what the shadowing's coefficients do not hold
+};
+
+// pi D V N.L. light: see lightAngles.
+float lobe(vec4 light, float nDotV, Surface surface) {
+  float width = light.z - light.y * surface.slope;
+  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
+  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+}
+
+// light: see lightAngles. radiance: irradiance / pi.
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+  float entering = light.x - light.x * light.w;
+  float mirror = lobe(light, nDotV, surface);
+  float rim = light.w * mirror;
+  float face = mirror - rim;
+  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
+  specular += radiance * (face * surface.dielectric + rim);
+}
+
+// normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;
+// |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
+vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 scale, float nDotV, vec3 toLight) {
+  float nDotL = max(scale.x * dot(normal, toLight), 0.0);
+  float nDotH = nDotL + nDotV;
+  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.000002;
+  float x = 1.0 - root(0.25 * h2);
+  float x2 = x * x;
+  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+}
+
+// The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
+vec3 encodeDisplay(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+  return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
+}
+
+void main() {
+  vec4 base = texture2D(uBaseColorTexture, vUv0);
+  base.rgb = base.rgb * (base.rgb * (base.rgb * uBaseColorCubic[0] + uBaseColorCubic[1]) + uBaseColorCubic[2]);
+  base.a *= uBaseColor.a;
+  vec3 normal = vNormal;
+  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  vec3 diffuse = vec3(0.0);
+  vec3 specular = vec3(0.0);
+  vec2 scale = vec2(inverseRoot(dot(normal, normal)), inverseRoot(dot(vToCamera, vToCamera)));
+  float nDotV = max(dot(normal, vToCamera) * (scale.y * scale.x), 1.0e-4);
+  vec4 anglesSun0 = lightAngles(normal, vToCamera, scale, nDotV, uSun0Direction);
+  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
+  vec3 color = base.rgb * diffuse + specular;
+  color = encodeDisplay(color);
+  gl_FragColor = vec4(color, base.a);
+}
