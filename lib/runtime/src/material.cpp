@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/material.h"
 
+#include "franken/tessellation.h"
+
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -82,6 +84,7 @@ public:
                                     m_material.baseColor.a};
         m_plan.factors.metallic = m_material.metallic;
         m_plan.factors.roughness = m_material.roughness;
+        m_plan.fine = m_contents.fine;
         return m_plan;
     }
 
@@ -160,7 +163,6 @@ private:
 
 void apply(const Look& look, Permutation& permutation) {
     permutation.brdf = look.brdf;
-    permutation.lightVectors = look.lightVectors;
     permutation.decode = look.decode;
     permutation.toneMap = look.toneMap;
     permutation.output = look.output;
@@ -182,7 +184,8 @@ Result<Permutation> canonical(const Permutation& permutation) {
 VertexContents contentsOf(const Primitive& primitive) {
     return {.tangents = !primitive.tangents.empty(),
             .uv = {!primitive.uv[0].empty(), !primitive.uv[1].empty()},
-            .colors = !primitive.colors.empty()};
+            .colors = !primitive.colors.empty(),
+            .fine = normalTurn(primitive) <= kFineNormalTurn};
 }
 
 MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents& contents, const Log& log) {
@@ -193,6 +196,8 @@ MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents
 Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& lighting, const Look& look) {
     Permutation permutation = plan.permutation;
     apply(look, permutation);
+    if (plan.fine)
+        permutation.lightVectors = look.lightVectors;
     permutation.ambient = lighting.ambient;
     permutation.suns = static_cast<std::uint8_t>(lighting.suns.size());
     permutation.lamps = static_cast<std::uint8_t>(lighting.lamps.size());

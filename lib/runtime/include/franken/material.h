@@ -15,7 +15,7 @@ namespace franken {
 /// The choices that hold for a whole picture, whatever its materials.
 struct Look {
     Brdf brdf = Brdf::Gltf;
-    LightVectors lightVectors = LightVectors::PerPixel;
+    LightVectors lightVectors = LightVectors::PerPixel; ///< Per vertex: where a mesh is fine enough for it.
     Decode decode = Decode::Exact;
     ToneMap toneMap = ToneMap::None;
     Output output = Output::Srgb;
@@ -25,11 +25,12 @@ struct Look {
     bool facingWorkaround = false;
 };
 
-/// Which of a primitive's optional attributes are there.
+/// Which of a primitive's optional attributes are there, and what else of its vertices chooses programs.
 struct VertexContents {
     bool tangents = false;
     std::array<bool, 2> uv{}; ///< TEXCOORD_0, TEXCOORD_1
     bool colors = false;
+    bool fine = false; ///< Normals turn by no more than kFineNormalTurn (tessellation.h).
     friend bool operator==(const VertexContents&, const VertexContents&) = default;
 };
 
@@ -44,6 +45,7 @@ struct MaterialPlan {
     MaterialFactors factors;
     std::array<int, kMaterialUnits> textures; ///< Scene texture of each sampler unit, or kNone.
     std::array<int, 2> uvSets{};              ///< Which TEXCOORD_n feeds each of the two streams.
+    bool fine = false;                        ///< Light vectors may be per vertex.
 };
 
 /// Distributes a material's textures over the two UV streams of a program. A stream is one TEXCOORD set with
