@@ -4,7 +4,7 @@
 //
 // What Mesa's own compilers for the Raspberry Pi's GPUs make of GLSL ES programs. GPU is vc4 (Pi 0-3), v3d42
 // (Pi 4) or v3d71 (Pi 5). The drivers run on Mesa's no-op DRM shims: they believe in a GPU, compile, and
-// submit work to nobody. They report figures as KHR_debug messages. Only those of a draw count, because the
+// submit work to nobody. They report figures as KHR_debug messages. Each program is drawn with, because the
 // drivers compile once more at the first draw, when formats and blending are known.
 //
 // PAIRS has a line a program: name, vertex shader's file, fragment shader's file, and "opaque" or "blend",
@@ -154,7 +154,7 @@ struct Pair {
     bool blend = false;
 };
 
-// The messages of a pair's draw, or why there are none.
+// What the driver said of a pair, or why it said nothing.
 struct Outcome {
     std::vector<std::string> messages;
     std::string error;
@@ -283,11 +283,14 @@ void draw(GLuint program, bool blend) {
     glFinish();
 }
 
-bool mentions(const std::vector<std::string>& messages, const char* text) {
+// The last word on a stage: drivers compile when linking, for a state that they guess, and once more at the
+// draw where they guessed wrong.
+std::string lastAbout(const std::vector<std::string>& messages, const std::string& stage) {
+    std::string last;
     for (const std::string& message : messages)
-        if (message.find(text) != std::string::npos)
-            return true;
-    return false;
+        if (message.starts_with("MESA_SHADER_" + stage + " shader"))
+            last = message;
+    return last;
 }
 
 Outcome measure(const Display& display, const Pair& pair) {
@@ -297,14 +300,12 @@ Outcome measure(const Display& display, const Pair& pair) {
     const GLuint program = link(pair, outcome.error);
     if (!outcome.error.empty())
         return outcome;
-    context.messages.clear();
     draw(program, pair.blend);
     outcome.messages = context.messages;
     const std::string said = errors.text();
     if (said.find("Failed to register allocate") != std::string::npos)
         outcome.error = "out of registers";
-    else if (!mentions(outcome.messages, "SHADER_FRAGMENT") ||
-             !mentions(outcome.messages, "SHADER_VERTEX shader"))
+    else if (lastAbout(outcome.messages, "FRAGMENT").empty() || lastAbout(outcome.messages, "VERTEX").empty())
         outcome.error = "no figures: " + firstLine(said);
     return outcome;
 }
@@ -315,24 +316,25 @@ std::string figure(const std::string& message, const char* pattern) {
     return std::regex_search(message, match, std::regex(pattern)) ? match[1].str() : "0";
 }
 
+void printRow(const std::string& begin, const char* stage, const std::string& message) {
+    constexpr const char* kFigures[] = {"(\\d+) inst",      "(\\d+) threads",     "(\\d+) uniforms",
+                                        "(\\d+) max-temps", "(\\d+):\\d+ spills", "\\d+:(\\d+) spills"};
+    std::cout << begin << stage;
+    for (const char* pattern : kFigures)
+        std::cout << '\t' << figure(message, pattern);
+    std::cout << '\n';
+}
+
 void printRows(const std::string& gpu, const std::string& name, const Outcome& outcome) {
     const std::string begin = gpu + '\t' + name + '\t';
     if (!outcome.error.empty()) {
         std::cout << begin << "error\t" << outcome.error << std::endl;
         return;
     }
-    constexpr const char* kStages[][2] = {{"MESA_SHADER_FRAGMENT shader", "fragment"},
-                                          {"MESA_SHADER_VERTEX shader", "vertex"},
-                                          {"MESA_SHADER_COORD shader", "coordinate"},
-                                          {"MESA_SHADER_VERTEX_BIN shader", "coordinate"}};
-    for (const std::string& message : outcome.messages)
-        for (const auto& [text, stage] : kStages)
-            if (message.find(text) == 0)
-                std::cout << begin << stage << '\t' << figure(message, "(\\d+) inst") << '\t'
-                          << figure(message, "(\\d+) threads") << '\t' << figure(message, "(\\d+) uniforms")
-                          << '\t' << figure(message, "(\\d+) max-temps") << '\t'
-                          << figure(message, "(\\d+):\\d+ spills") << '\t'
-                          << figure(message, "\\d+:(\\d+) spills") << '\n';
+    const std::string coordinate = gpu == "vc4" ? "COORD" : "VERTEX_BIN";
+    printRow(begin, "fragment", lastAbout(outcome.messages, "FRAGMENT"));
+    printRow(begin, "vertex", lastAbout(outcome.messages, "VERTEX"));
+    printRow(begin, "coordinate", lastAbout(outcome.messages, coordinate));
     std::cout.flush();
 }
 

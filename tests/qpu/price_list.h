@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+namespace franken::test {
+
+/// A Markdown table: what each feature adds on each GPU. Needs compilers().
+std::string priceList();
+
+/// The text with that list between the lines "<!-- prices -->" and "<!-- /prices -->"; the text itself where
+/// there are none.
+std::string withPriceList(const std::string& text, const std::string& list);
+
+} // namespace franken::test

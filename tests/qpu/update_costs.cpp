@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Measures again and writes costs.tsv, the measured columns of goals.tsv, prices.md and the README's copy of
+// it.
+#include "costs.h"
+#include "price_list.h"
+
+#include <exception>
+#include <fstream>
+#include <iostream>
+
+using namespace franken::test;
+
+namespace {
+
+void update(const std::filesystem::path& root) {
+    const std::filesystem::path folder = root / "tests/qpu";
+    std::vector<CostRow> costs;
+    for (const char* gpu : {"vc4", "v3d42", "v3d71"})
+        for (CostRow& row : measureCosts(gpu))
+            costs.push_back(std::move(row));
+    writeTable(folder / "costs.tsv", toTable(costs));
+    writeTable(folder / "goals.tsv", toTable(measureGoals(goalsFrom(readTable(folder / "goals.tsv")))));
+    const std::string list = priceList();
+    std::ofstream(folder / "prices.md", std::ios::binary) << list;
+    const std::string readme = readText(root / "README.md");
+    if (const std::string updated = withPriceList(readme, list); updated != readme)
+        std::ofstream(root / "README.md", std::ios::binary) << updated;
+}
+
+} // namespace
+
+int main() {
+    try {
+        if (!compilers().compiler) {
+            std::cerr << compilers().whyNot << '\n';
+            return 1;
+        }
+        update(FRANKEN_SOURCE_DIR);
+        return 0;
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << '\n';
+        return 1;
+    }
+}
