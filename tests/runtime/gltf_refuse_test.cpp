@@ -212,6 +212,46 @@ TEST(GltfRefused, OptionalExtensionsAreWarnedOfOnceEach) {
     EXPECT_EQ(file.warnings.size(), 3u); // these two, and the missing UV stream of the normal map
 }
 
+TEST(GltfRefused, VerticesAreCountedOverAllMeshes) {
+    GltfFile file = sound();
+    const Json primitive = file.json["meshes"][0]["primitives"][0];
+    file.json["meshes"][0]["primitives"].push_back(primitive);
+    franken::LoadOptions options;
+    options.maxVertices = 12; // twice three vertices and three indices
+    EXPECT_TRUE(file.load(options));
+    options.maxVertices = 11;
+    EXPECT_EQ(file.load(options).error().code, "gltf.limit");
+}
+
+TEST(GltfRefused, OnlyFilesInTheFolderAreRead) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "franken_confined";
+    std::filesystem::create_directories(folder / "model/a b");
+    const std::vector<float> points{0, 0, 0, 1, 0, 0, 0, 1, 0};
+    for (const char* name : {"outside.bin", "model/inside.bin", "model/a b/spaced.bin"})
+        std::ofstream(folder / name, std::ios::binary)
+            .write(reinterpret_cast<const char*>(points.data()),
+                   static_cast<std::streamsize>(points.size() * 4));
+    GltfFile file;
+    file.setTriangle();
+    const auto load = [&](const std::string& uri) {
+        file.json["buffers"] = {{{"byteLength", 36}, {"uri", uri}}};
+        std::ofstream(folder / "model/model.gltf") << file.json.dump();
+        return franken::loadGltf(folder / "model/model.gltf");
+    };
+    for (const char* uri : {"inside.bin", "./inside.bin", "a%20b/spaced.bin", "a b/spaced.bin"})
+        EXPECT_TRUE(load(uri)) << uri;
+    for (const std::string& uri :
+         {std::string("../outside.bin"), std::string("%2E%2E/outside.bin"),
+          std::string("a%20b/../inside.bin"), (folder / "outside.bin").string(),
+          "file://" + (folder / "outside.bin").string(), std::string("http://localhost/inside.bin"),
+          std::string("missing.bin"), std::string("inside.bin%00x")}) {
+        const auto scene = load(uri);
+        ASSERT_FALSE(scene) << uri;
+        EXPECT_EQ(scene.error().code, "gltf.buffer") << uri;
+    }
+    std::filesystem::remove_all(folder);
+}
+
 TEST(GltfRefused, NoFileAndNoGltf) {
     EXPECT_EQ(franken::loadGltf("/nonexistent.gltf").error().code, "gltf.file");
     EXPECT_EQ(franken::loadGltf(std::filesystem::temp_directory_path()).error().code, "gltf.file");

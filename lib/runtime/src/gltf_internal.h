@@ -50,6 +50,7 @@ struct Source {
     std::vector<EncodedImage> images;
     int placeholderView = kNone; ///< Stands for "no buffer view" while tinygltf parses.
     tinygltf::Model model;       ///< Its own buffers and images are empty shells.
+    std::size_t vertices = 0;    ///< Read so far, with indices.
     std::optional<Error> error;
     std::set<std::string> warned;
 

@@ -28,23 +28,35 @@ const Json& member(const Json& object, const char* key) {
     return found == object.end() ? kNull : *found;
 }
 
+// Counted on the text, before anything is built from it, for tinygltf goes down by recursion.
+bool isTooDeep(std::span<const std::uint8_t> text) {
+    int depth = 0;
+    bool inString = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const char c = static_cast<char>(text[i]);
+        if (inString && c == '\\')
+            ++i; // what is escaped ends no string
+        else if (c == '"')
+            inString = !inString;
+        else if (!inString && (c == '{' || c == '[') && ++depth > kMaxDepth)
+            return true;
+        else if (!inString && (c == '}' || c == ']'))
+            --depth;
+    }
+    return false;
+}
+
 bool parseText(Source& source, Json& root) {
-    // What is nested too deeply is dropped while parsing, for tinygltf goes down by recursion.
-    int deepest = 0;
-    const auto measure = [&deepest](int depth, Json::parse_event_t, Json&) {
-        deepest = std::max(deepest, depth);
-        return depth <= kMaxDepth;
-    };
+    if (isTooDeep(source.jsonText))
+        return source.fail("gltf.limit", "",
+                           "the JSON is nested more than " + std::to_string(kMaxDepth) + " deep");
     try {
-        root = Json::parse(source.jsonText.begin(), source.jsonText.end(), measure);
+        root = Json::parse(source.jsonText.begin(), source.jsonText.end());
     } catch (const Json::exception& exception) { // a syntax error, or a number that no double holds
         return source.fail("gltf.json", "",
                            std::string("the file's JSON cannot be read: ") + exception.what(),
                            "check that the file is a .gltf or .glb, and complete");
     }
-    if (deepest > kMaxDepth)
-        return source.fail("gltf.limit", "",
-                           "the JSON is nested more than " + std::to_string(kMaxDepth) + " deep");
     return root.is_object() ||
            source.fail("gltf.json", "", "the file's JSON is not an object", std::string(kFixExporter));
 }

@@ -119,9 +119,21 @@ bool isDrawable(Source& source, const tinygltf::Primitive& from, const std::stri
     return false;
 }
 
+// A small file can ask for the same accessors again and again.
+bool countVertices(Source& source, const tinygltf::Primitive& from, const std::string& where) {
+    source.vertices += source.model.accessors[at(find(from, "POSITION"))].count;
+    if (from.indices != kNone)
+        source.vertices += source.model.accessors[at(from.indices)].count;
+    return source.vertices <= source.options.maxVertices ||
+           source.fail("gltf.limit", where,
+                       "the file has more than " + std::to_string(source.options.maxVertices) + " vertices",
+                       "simplify the model, or raise LoadOptions::maxVertices");
+}
+
 bool readPrimitive(Source& source, const tinygltf::Primitive& from, const std::string& where,
                    const Pose& pose, Scene& scene, Primitive& primitive) {
-    if (!readAttributes(source, from, primitive) || !readTriangles(source, from, where, primitive))
+    if (!countVertices(source, from, where) || !readAttributes(source, from, primitive) ||
+        !readTriangles(source, from, where, primitive))
         return false;
     if (!applyMorph(source, from, where, pose.weights, primitive) ||
         (!pose.joints.empty() && !applySkin(source, from, where, pose.joints, primitive)))

@@ -123,7 +123,7 @@ bool isAllowed(const tinygltf::Accessor& accessor, const std::string& name, bool
 bool checkAttributes(Source& source, const std::map<std::string, int>& attributes, std::size_t& count,
                      bool isTarget, const std::string& where) {
     for (const auto& [name, index] : attributes) {
-        const std::string path = where + "/" + name;
+        const std::string path = where + pathOf(name);
         if (!checkPresent(source, index, source.model.accessors.size(), path))
             return false;
         const tinygltf::Accessor& accessor = source.model.accessors[at(index)];

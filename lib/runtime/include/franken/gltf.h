@@ -13,8 +13,9 @@ namespace franken {
 /// How much of a file is believed. A file that asks for more is refused, not cut.
 struct LoadOptions {
     std::size_t maxFileBytes = std::size_t{1} << 30; ///< Of the file, and of each that it refers to.
-    std::size_t maxElements = 4'194'304;             ///< Of one accessor; with it, of one vertex array.
-    int maxImageSize = kMaxImageSize;                ///< Width and height of an image, pixels.
+    std::size_t maxElements = 4'194'304;             ///< Of one accessor, whether or not it has bytes.
+    std::size_t maxVertices = 16'777'216; ///< Of all meshes and poses together, indices counted too.
+    int maxImageSize = kMaxImageSize;     ///< Width and height of an image, pixels.
 };
 
 /// Reads a glTF 2.0 file (.gltf or .glb, told apart by content) with all that it refers to.
