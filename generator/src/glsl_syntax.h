@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -53,6 +54,10 @@ struct Syntax {
     bool isType(std::string_view word) const;
     /// The token that closes the bracket at `open`; the last token where none does.
     std::size_t closing(std::size_t open) const;
+    /// The token's line; past the end, the last token's.
+    int lineOf(std::size_t token) const {
+        return tokens.empty() ? 1 : tokens[std::min(token, tokens.size() - 1)].line;
+    }
     /// The token's text, "" past the end.
     std::string_view at(std::size_t token) const {
         return token < tokens.size() ? tokens[token].text : std::string_view();

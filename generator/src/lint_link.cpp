@@ -21,7 +21,7 @@ std::vector<Broken> compare(const Syntax& ours, const Syntax& theirs, std::strin
         if (variable.qualifier == qualifier)
             if (std::string message = ask(variable, findGlobal(theirs, qualifier, variable.name));
                 !message.empty())
-                broken.push_back({ours.tokens[variable.token].line, quoted(variable.name) + " " + message});
+                broken.push_back({ours.lineOf(variable.token), quoted(variable.name) + " " + message});
     return broken;
 }
 

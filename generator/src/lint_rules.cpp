@@ -104,7 +104,7 @@ std::vector<Broken> precision(const ShaderText& shader) {
         if (syntax.at(token) == "precision" && syntax.at(token + 2) == "float")
             return {};
         if (syntax.isType(syntax.at(token)))
-            return {{syntax.tokens[token].line, "no 'precision ... float;' stands before this declaration"}};
+            return {{syntax.lineOf(token), "no 'precision ... float;' stands before this declaration"}};
     }
     return {{1, "there is no 'precision ... float;'"}};
 }
@@ -133,7 +133,7 @@ std::vector<Broken> integerLiteral(const ShaderText& shader) {
     for (std::size_t token = 0; token < syntax.tokens.size(); ++token) {
         token = endOfIntegers(syntax, token);
         if (token < syntax.tokens.size() && syntax.tokens[token].kind == Token::Kind::Integer)
-            broken.push_back({syntax.tokens[token].line,
+            broken.push_back({syntax.lineOf(token),
                               "the integer " + quoted(syntax.at(token)) + " stands where a float is meant"});
     }
     return broken;
@@ -167,7 +167,7 @@ std::vector<Broken> matrixConstructor(const ShaderText& shader) {
         }
         if (matrix && !columns)
             broken.push_back(
-                {syntax.tokens[token].line, quoted(syntax.at(token)) + " is made from another matrix"});
+                {syntax.lineOf(token), quoted(syntax.at(token)) + " is made from another matrix"});
     }
     return broken;
 }
@@ -207,9 +207,14 @@ std::vector<Broken> loopBounds(const ShaderText& shader) {
     for (std::size_t token = 0; token < syntax.tokens.size(); ++token) {
         const std::string_view word = syntax.at(token);
         if (word == "while" || word == "do" || (word == "for" && !isConstantLoop(syntax, token + 1)))
-            broken.push_back({syntax.tokens[token].line, quoted(word) + " without constant bounds"});
+            broken.push_back({syntax.lineOf(token), quoted(word) + " without constant bounds"});
     }
     return broken;
+}
+
+bool indexedByNumber(const Syntax& syntax, std::size_t open) {
+    return open + 1 < syntax.tokens.size() && syntax.tokens[open + 1].kind == Token::Kind::Integer &&
+           syntax.at(open + 2) == "]";
 }
 
 std::vector<Broken> samplerIndex(const ShaderText& shader) {
@@ -219,8 +224,8 @@ std::vector<Broken> samplerIndex(const ShaderText& shader) {
         for (std::size_t token = 0; global.type.starts_with("sampler") && token < syntax.tokens.size();
              ++token)
             if (syntax.at(token) == global.name && syntax.at(token + 1) == "[" &&
-                !(syntax.tokens[token + 2].kind == Token::Kind::Integer && syntax.at(token + 3) == "]"))
-                broken.push_back({syntax.tokens[token].line,
+                !indexedByNumber(syntax, token + 1))
+                broken.push_back({syntax.lineOf(token),
                                   quoted(global.name) + " is indexed by something else than a number"});
     return broken;
 }
@@ -239,8 +244,7 @@ std::vector<Broken> normalizedSwizzle(const ShaderText& shader) {
     std::vector<Broken> broken;
     for (std::size_t token = 0; token < syntax.tokens.size(); ++token)
         if (syntax.at(token) == "normalize" && syntax.at(syntax.closing(token + 1) + 1) == ".")
-            broken.push_back(
-                {syntax.tokens[token].line, "components are taken after 'normalize', not before"});
+            broken.push_back({syntax.lineOf(token), "components are taken after 'normalize', not before"});
     return broken;
 }
 
@@ -260,7 +264,7 @@ std::vector<Broken> declaredTwice(const ShaderText& shader) {
     for (auto global = globals.begin(); global != globals.end(); ++global)
         if (std::any_of(globals.begin(), global, [&](const Variable& v) { return v.name == global->name; }))
             broken.push_back(
-                {shader.syntax.tokens[global->token].line, quoted(global->name) + " is declared twice"});
+                {shader.syntax.lineOf(global->token), quoted(global->name) + " is declared twice"});
     return broken;
 }
 

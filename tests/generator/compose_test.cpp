@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -47,20 +46,34 @@ struct FromText {
     bool vertex = false, fragment = false;
 };
 
+// Reads "uniform mediump vec3 uName[9]; // block: meaning" into the entry for "uniform uName".
+void readDeclaration(const std::string& line, bool FromText::*stage, std::map<std::string, FromText>& found) {
+    std::istringstream words(line);
+    std::string kind, type, name, slashes, block;
+    words >> kind >> type;
+    if (type == "mediump")
+        words >> type;
+    words >> name >> slashes >> block;
+    ASSERT_TRUE(name.ends_with(';')) << line;
+    name.pop_back();
+    const std::size_t bracket = std::min(name.find('['), name.size());
+    FromText& entry = found[kind + " " + name.substr(0, bracket)];
+    EXPECT_FALSE(entry.*stage) << name << " is declared twice";
+    entry.*stage = true;
+    entry.type = type;
+    if (bracket < name.size())
+        entry.count = name.substr(bracket + 1, name.size() - bracket - 2);
+    if (kind == "uniform")
+        entry.block = block.substr(0, block.find(':'));
+}
+
 Declarations declarationsInText(const Composed& program) {
-    static const std::regex declaration(
-        R"(^(attribute|varying|uniform) (?:mediump )?(\w+) (\w+)(?:\[(\d+)\])?;(?: // (\w+):.*| // .*)?$)");
     std::map<std::string, FromText> found;
     const auto read = [&](const std::string& text, bool FromText::*stage) {
         for (const std::string& line : linesOf(text))
-            if (std::smatch match; std::regex_match(line, match, declaration)) {
-                FromText& entry = found[match[1].str() + " " + match[3].str()];
-                entry.type = match[2];
-                entry.count = match[4].matched ? match[4].str() : "1";
-                entry.block = match[1] == "uniform" ? match[5].str() : "";
-                EXPECT_FALSE(entry.*stage) << match[3] << " is declared twice";
-                entry.*stage = true;
-            }
+            if (line.starts_with("attribute ") || line.starts_with("varying ") ||
+                line.starts_with("uniform "))
+                readDeclaration(line, stage, found);
     };
     read(program.vertex.text, &FromText::vertex);
     read(program.fragment.text, &FromText::fragment);
@@ -163,7 +176,7 @@ void checkLineMap(const ComposedStage& stage, const std::string& folder) {
         const auto& file = snippetLines(std::string(origin.snippet));
         const auto at = static_cast<std::size_t>(origin.line) - 1;
         ASSERT_LT(at, file.size()) << origin.snippet;
-        EXPECT_TRUE(isInstanceOf(lines[i], file[at])) << lines[i] << "\nis not\n" << file[at];
+        ASSERT_TRUE(isInstanceOf(lines[i], file[at])) << lines[i] << "\nis not\n" << file[at];
     }
 }
 
