@@ -14,12 +14,13 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "sky_sampling.h"
+
 namespace franken {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kPi = std::numbers::pi_v<float>;
 const fs::path kSkies = fs::path(FRANKEN_SOURCE_DIR) / ".." / "shared" / "assets" / "env";
 
 /// The six main directions, in the order of a cube map's faces, and a colour for each.
@@ -39,26 +40,9 @@ glm::vec3 colorOf(const glm::vec3& direction) {
 Environment makeSky(int width, const std::function<glm::vec3(const glm::vec3&)>& radiance) {
     Environment sky{Environment::Layout::Equirect, width, width / 2, {}};
     for (int y = 0; y < sky.height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const float azimuth =
-                ((static_cast<float>(x) + 0.5f) / static_cast<float>(width) - 0.5f) * 2 * kPi;
-            const float polar = (static_cast<float>(y) + 0.5f) / static_cast<float>(sky.height) * kPi;
-            const float ring = std::sin(polar);
-            sky.texels.push_back(
-                radiance({ring * std::sin(azimuth), std::cos(polar), -ring * std::cos(azimuth)}));
-        }
+        for (int x = 0; x < width; ++x)
+            sky.texels.push_back(radiance(test::equirectDirection(width, x, y)));
     return sky;
-}
-
-/// `count` directions, evenly over the sphere (a Fibonacci spiral).
-std::vector<glm::vec3> directions(int count) {
-    std::vector<glm::vec3> all;
-    for (int i = 0; i < count; ++i) {
-        const float y = 1 - (2 * static_cast<float>(i) + 1) / static_cast<float>(count);
-        const float ring = std::sqrt(1 - y * y), angle = 2.3999632f * static_cast<float>(i);
-        all.emplace_back(ring * std::cos(angle), y, ring * std::sin(angle));
-    }
-    return all;
 }
 
 LightsBlock pack(const Environment& sky) {
@@ -212,7 +196,7 @@ TEST(Environment, BrokenFilesAreRefused) {
 TEST(Environment, CoefficientsOfPlainSkies) {
     const LightsBlock grey = pack(makeSky(256, [](const glm::vec3&) { return glm::vec3(0.5f); }));
     const LightsBlock slope = pack(makeSky(256, [](const glm::vec3& d) { return glm::vec3(1.0f) + d; }));
-    for (const glm::vec3& n : directions(20))
+    for (const glm::vec3& n : test::directions(20))
         for (int i = 0; i < 3; ++i) {
             EXPECT_NEAR(irradianceByCoefficients(grey, n)[i], 0.5, 1e-4);
             // A cosine lobe keeps 2/3 of what is linear in the direction.
@@ -246,6 +230,25 @@ TEST(Environment, CubeKeepsTheLight) {
         }
 }
 
+TEST(Environment, SunIsHandedOver) {
+    const glm::vec3 towards = glm::normalize(glm::vec3(1, 2, -3));
+    Environment sky = makeSky(512, [&](const glm::vec3& d) {
+        return glm::dot(d, towards) > 0.9998f ? glm::vec3(10000, 8000, 5000) : glm::vec3(0.5f);
+    });
+    const LightsBlock before = pack(sky);
+    const auto sun = takeSun(sky);
+    ASSERT_TRUE(sun);
+    EXPECT_NEAR(sun->color[0], 1, 1e-5);
+    EXPECT_NEAR(sun->color[1], 0.8, 0.01);
+    EXPECT_GT(-glm::dot(glm::vec3(sun->direction[0], sun->direction[1], sun->direction[2]), towards),
+              0.99995f);
+    // The sky lost what the sun has: its zeroth coefficient times 2 sqrt(pi) is the light from everywhere.
+    const float lost = (before.sky[0][0] - pack(sky).sky[0][0]) * 4 * std::numbers::pi_v<float>;
+    EXPECT_NEAR(lost / sun->illuminance, 1, 0.001);
+    EXPECT_EQ(radianceFrom(sky, -towards), glm::vec3(0.5f));
+    EXPECT_LT(radianceFrom(sky, towards).r, 100);
+}
+
 class RealSky : public testing::TestWithParam<const char*> {};
 
 /// Two percent, because nine coefficients leave out 1-2 % of the power of a cosine lobe's light.
@@ -257,7 +260,7 @@ TEST_P(RealSky, CoefficientsMatchBruteForce) {
     ASSERT_TRUE(sky) << toString(sky.error());
     const LightsBlock block = pack(*sky);
     double error = 0, power = 0;
-    for (const glm::vec3& n : directions(64)) {
+    for (const glm::vec3& n : test::directions(64)) {
         const glm::dvec3 truth = irradianceByTexels(*sky, n);
         const glm::dvec3 difference = irradianceByCoefficients(block, n) - truth;
         error += glm::dot(difference, difference);
@@ -285,7 +288,7 @@ TEST(Environment, FacesMatchThePanorama) {
 
     const auto difference = [&](const glm::vec3& mirror) {
         double sum = 0;
-        for (const glm::vec3& d : directions(5000)) {
+        for (const glm::vec3& d : test::directions(5000)) {
             const glm::vec3 off =
                 glm::abs(glm::min(radianceFrom(*panorama, d), 1.0f) - radianceFrom(*faces, d * mirror));
             sum += (off.r + off.g + off.b) / 3;

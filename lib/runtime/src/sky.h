@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
+
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -26,5 +28,14 @@ glm::vec3 texelDirection(const Environment& sky, float x, float y);
 
 /// The solid angle of a texel, sr. All together make 4 pi.
 double texelSolidAngle(const Environment& sky, int x, int y);
+
+/// The sky as a cube, each texel the mean over its area.
+Environment resampledToCube(const Environment& sky, int size);
+
+/// The range of an encoding of these texels: the largest channel, or kMinSkyRange if that is more.
+float rangeOf(std::span<const glm::vec3> texels);
+
+/// Encodes texels as SkyCube says.
+Image encodeRgbm(std::span<const glm::vec3> texels, int width, int height, float range);
 
 } // namespace franken

@@ -74,23 +74,38 @@ SkyCoefficients skyCoefficients(const Environment& sky) {
     return coefficients;
 }
 
+Environment resampledToCube(const Environment& sky, int size) {
+    const int samples = samplesPerTexel(sky, size);
+    Environment cube{Environment::Layout::Cube, size, 6 * size, {}};
+    cube.texels.reserve(std::size_t{6} * size * size);
+    for (int y = 0; y < cube.height; ++y)
+        for (int x = 0; x < size; ++x)
+            cube.texels.push_back(meanRadiance(sky, y / size, {x, y % size}, size, samples));
+    return cube;
+}
+
+float rangeOf(std::span<const glm::vec3> texels) {
+    float range = kMinSkyRange;
+    for (const glm::vec3& texel : texels)
+        range = std::max({range, texel.r, texel.g, texel.b});
+    return range;
+}
+
+Image encodeRgbm(std::span<const glm::vec3> texels, int width, int height, float range) {
+    Image image{"", width, height, {}};
+    image.rgba.reserve(4 * texels.size());
+    for (const glm::vec3& texel : texels)
+        appendRgbm(image.rgba, texel, range);
+    return image;
+}
+
 SkyCube encodeSkyCube(const Environment& sky, int size) {
     assert(size >= 1 && size <= kMaxSkyWidth / 4);
-    const int samples = samplesPerTexel(sky, size);
-    std::vector<glm::vec3> texels;
-    texels.reserve(std::size_t{6} * size * size);
-    SkyCube cube{size, kMinSkyRange, {}};
-    for (int face = 0; face < 6; ++face)
-        for (int i = 0; i < size * size; ++i) {
-            texels.push_back(meanRadiance(sky, face, {i % size, i / size}, size, samples));
-            cube.range = std::max({cube.range, texels.back().r, texels.back().g, texels.back().b});
-        }
-    for (std::size_t face = 0; face < 6; ++face) {
-        Image& image = cube.images[face];
-        image.width = image.height = size;
-        for (std::size_t i = face * texels.size() / 6; i < (face + 1) * texels.size() / 6; ++i)
-            appendRgbm(image.rgba, texels[i], cube.range);
-    }
+    const Environment linear = resampledToCube(sky, size);
+    SkyCube cube{size, rangeOf(linear.texels), {}};
+    const std::size_t face = linear.texels.size() / 6;
+    for (std::size_t i = 0; i < 6; ++i)
+        cube.images[i] = encodeRgbm(std::span(linear.texels).subspan(i * face, face), size, size, cube.range);
     return cube;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include <glm/vec3.hpp>
@@ -64,6 +65,14 @@ glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction);
 /// harmonics. packSky() makes an irradiance of them (Ramamoorthi and Hanrahan, "An Efficient Representation
 /// for Irradiance Environment Maps", 2001).
 SkyCoefficients skyCoefficients(const Environment& sky);
+
+/// Cuts the sun out of a sky and hands it over as a light, so that textures of the sky need not hold its
+/// range and its mirror image is sharp. The sun is what exceeds kSunContrast times the mean radiance within
+/// 5 degrees of the brightest texel; those texels keep that much. The light of both together is unchanged.
+/// Nothing if no texel is that bright.
+std::optional<Sun> takeSun(Environment& sky);
+
+inline constexpr float kSunContrast = 32;
 
 /// The faces of a cube map, ready for glTexImage2D. Texels hold sqrt(radiance / range) as RGB times a shared
 /// alpha: radiance = (rgb * a)^2 * range. The root puts more codes where eyes see more.

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <functional>
+
+#include "franken/environment.h"
+
+/// What a rough mirror shows of a sky, made on the CPU once and read by a fragment shader in three texture
+/// fetches. generator/README.md compares this way with others, in error and in instructions.
+///
+/// The BRDF is that of glTF 2.0, appendix B. Its integral over the sky is split in two (Karis, "Real Shading
+/// in Unreal Engine 4", 2013): the sky seen through the lobe of a mirror that faces the eye, and how much of
+/// a white sky the surface reflects. That is exact where N.V is 1. Elsewhere the true lobe is narrow across
+/// the plane of N and V and long within it, and a rough one is cut off at the horizon, so that its middle
+/// lies between the mirrored eye and N. Three corrections, fitted together, make up for most of it: the sky
+/// is looked up in a direction bent towards N (as in Lagarde and de Rousiers, "Moving Frostbite to Physically
+/// Based Rendering", 2014), at a sharper level, and a share of the sky's irradiance at N, which a shader has
+/// at hand, stands for the long part.
+namespace franken {
+
+/// Called now and then with the share that is done, 0 to 1, from the thread that called.
+using Progress = std::function<void(float)>;
+
+/// The levels of an atlas. Level i holds the roughness 2^((i - 8) / 2): 0.0625, 0.088 ... 0.707, 1;
+/// smoother surfaces show the first.
+inline constexpr int kSpecularLevels = 9;
+
+/// The edge of the sharpest level's squares: 256 shows a mirror image with 0.56 degrees a texel.
+inline constexpr int kSpecularSize = 256;
+inline constexpr int kMinSpecularSize = 256;
+inline constexpr int kMaxSpecularSize = 1024;
+
+/// The sky through lobes of rising width, as one picture for a 2D texture with linear filter, clamped to its
+/// edge and without mipmaps. Its texels are encoded as those of SkyCube.
+///
+/// A direction d belongs to the square of the upper half (d.y >= 0) or to that of the lower half beside it,
+/// at the point (d.x, d.z) / (max(|d.x|, |d.z|) + |d.y|), each from -1 to 1, times kSpecularScale. The
+/// squares of a level lie below those of the level before and are smaller by the factor sqrt(0.5).
+struct SpecularAtlas {
+    Image image;     ///< 2 size wide and about 3.26 size high.
+    float range = 0; ///< The largest radiance that a texel can hold.
+};
+
+/// Leaves a rim around each square, one texel in the smallest, that is filled from beyond the horizon for
+/// the linear filter.
+inline constexpr float kSpecularScale = 7.0f / 8.0f;
+
+/// Filters the sky. size: kMinSpecularSize to kMaxSpecularSize; a Pi 3 holds up to 512. A size of 256 takes
+/// about five seconds on two cores of a desktop; it runs on all, and the result is the same on any number.
+SpecularAtlas filterSpecular(const Environment& sky, int size = kSpecularSize, const Progress& progress = {});
+
+/// What a surface makes of that sky, for a 2D texture with linear filter, clamped to its edge. u is N.V, v
+/// the perceptual roughness. With F0 the reflectance at normal incidence and d = D (2 N.V N - V) + (1 - D) N:
+/// R and G: the light of a white sky that is reflected is F0 R + G, within 0.004;
+/// B: D, how little d is bent towards N; A: the share of the irradiance in that light. The level to look at
+/// is 2 log2(roughness) + 8 - kSpecularSharpening (1 - N.V) (1 - roughness), from 0 up.
+Image specularLookup();
+
+inline constexpr float kSpecularSharpening = 2.5f;
+
+/// The sky as a rough mirror that faces the eye shows it: a picture of the given layout and width (of a face
+/// for Layout::Cube), for programs that want levels of their own. roughness: 0.01 to 1.
+Environment filterSky(const Environment& sky, float roughness, Environment::Layout layout, int width);
+
+} // namespace franken
