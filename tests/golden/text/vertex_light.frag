@@ -71,11 +71,11 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec
   specular += radiance * (face * surface.dielectric + rim);
 }
 
-// lightAngles of a light whose V.L and Fresnel term are given.
-vec4 lightAngles(vec3 normal, float nDotV, vec3 toLight, float vDotL, float fresnel) {
+// lightAngles of a light whose V.L and Fresnel term are given. reach: 1 + |V|^2, as V shrinks between vertices.
+vec4 lightAngles(vec3 normal, float nDotV, float reach, vec3 toLight, float vDotL, float fresnel) {
   float nDotL = max(dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  return vec4(nDotL, nDotH * nDotH, 2.0 * vDotL + 2.00001, fresnel);
+  return vec4(nDotL, nDotH * nDotH, 2.0 * vDotL + reach, fresnel);
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -93,8 +93,9 @@ void main() {
   Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
   vec3 diffuse = uAmbient;
   vec3 specular = vec3(0.0);
+  float reach = dot(vToCamera, vToCamera) + 1.000002;
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
-  vec4 anglesSun0 = lightAngles(normal, nDotV, uSun0Direction, vVDotL.x, vFresnel.x);
+  vec4 anglesSun0 = lightAngles(normal, nDotV, reach, uSun0Direction, vVDotL.x, vFresnel.x);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
   vec3 color = base.rgb * diffuse + specular;
   color = encodeDisplay(color);

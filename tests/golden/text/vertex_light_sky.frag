@@ -91,11 +91,11 @@ vec3 skyLight(vec3 n) {
        + uSky[7] * (n.x * n.z) + uSky[8] * (n.x * n.x - n.y * n.y);
 }
 
-// lightAngles of a light whose V.L and Fresnel term are given.
-vec4 lightAngles(vec3 normal, float nDotV, vec3 toLight, float vDotL, float fresnel) {
+// lightAngles of a light whose V.L and Fresnel term are given. reach: 1 + |V|^2, as V shrinks between vertices.
+vec4 lightAngles(vec3 normal, float nDotV, float reach, vec3 toLight, float vDotL, float fresnel) {
   float nDotL = max(dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  return vec4(nDotL, nDotH * nDotH, 2.0 * vDotL + 2.00001, fresnel);
+  return vec4(nDotL, nDotH * nDotH, 2.0 * vDotL + reach, fresnel);
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -114,10 +114,11 @@ void main() {
   vec3 diffuse = max(skyLight(normal), 0.0);
   diffuse *= uReflectance.x;
   vec3 specular = vec3(0.0);
+  float reach = dot(vToCamera, vToCamera) + 1.000002;
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
-  vec4 anglesSun0 = lightAngles(normal, nDotV, uSun0Direction, vVDotL.x, vFresnel.x);
+  vec4 anglesSun0 = lightAngles(normal, nDotV, reach, uSun0Direction, vVDotL.x, vFresnel.x);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
-  vec4 anglesSun1 = lightAngles(normal, nDotV, uSun1Direction, vVDotL.y, vFresnel.y);
+  vec4 anglesSun1 = lightAngles(normal, nDotV, reach, uSun1Direction, vVDotL.y, vFresnel.y);
   addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
   vec3 color = base.rgb * diffuse + specular;
   color = encodeDisplay(color);
