@@ -29,6 +29,7 @@ struct Outcome {
 // Runs it with its standard output and error in that file.
 Outcome runInto(const fs::path& output, std::vector<std::string> arguments) {
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (std::string& argument : arguments)
         argv.push_back(argument.data());
     argv.push_back(nullptr);

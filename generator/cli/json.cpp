@@ -12,7 +12,9 @@ using Json = nlohmann::ordered_json;
 
 Json document(const char* command) { return {{"schema", kJsonSchema}, {"command", command}}; }
 
-std::string print(const Json& json) { return json.dump(2) + "\n"; }
+std::string print(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
 
 Json identity(const Permutation& permutation) {
     return {{"name", toName(permutation)}, {"key", toHex(toKey(permutation))}};

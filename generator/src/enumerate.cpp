@@ -137,6 +137,7 @@ void enumerateCanonical(const std::vector<unsigned>& allowed,
     std::vector<Allowed> allowedParts;
     split(allowed, kGates, allowedParts);
     std::vector<Part> parts;
+    parts.reserve(allowedParts.size());
     for (Allowed& part : allowedParts)
         parts.emplace_back(std::move(part), offer);
     for (std::size_t words = 0; words <= choices().size(); ++words)
