@@ -102,12 +102,13 @@ TEST_P(TransferTest, DecodesExactly) {
 
 TEST_P(TransferTest, DecodesFast) {
     const std::vector<double> values = decoded(Decode::Fast, Output::Linear);
-    EXPECT_LE(largestError(values, toLight), 0.6);
+    EXPECT_LE(largestError(values, toLight), 0.5);
     // As the eye has it: encoded again, exactly.
     std::vector<double> codes;
     for (const double value : values)
         codes.push_back(toCode(std::max(value, 0.0)));
-    EXPECT_LE(largestError(codes, sameCode), 2);
+    EXPECT_LE(largestError(codes, sameCode), 5);
+    EXPECT_LE(largestError(codes, sameCode, 40), 2);
 }
 
 TEST_P(TransferTest, DoesNotDecodeWhatIsLinear) {

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/scene.h"
+
+#include <functional>
+
+namespace franken::test {
+
+/// A unit sphere with normals, tangents and one UV stream (u to the east, v from the north pole down), of
+/// 2 * rings by rings quads.
+Primitive sphere(int rings);
+
+/// A square of 2 x 2 in the plane z = 0 that faces +Z, with the same attributes; v grows downwards.
+Primitive square();
+
+/// A picture of that size, from texture coordinates (0 to 1, v down) to 0..1.
+franken::Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color);
+
+/// Squares of two colours, so many along each side.
+franken::Image checkers(int size, int count, const glm::vec4& even, const glm::vec4& odd);
+
+/// A normal map of round bumps, so many along each side.
+franken::Image bumps(int size, int count);
+
+/// Puts things into a scene that begins empty.
+class SceneBuilder {
+public:
+    int addTexture(franken::Image image, Filter minFilter = Filter::LinearMipmapLinear,
+                   Wrap wrap = Wrap::Repeat);
+    int addMaterial(const Material& material);
+    /// The primitive with that material, in a mesh and an instance of its own.
+    void add(Primitive primitive, int material, const glm::mat4& world = glm::mat4(1));
+    void addSun(const glm::vec3& direction, const glm::vec3& color, float lux);
+
+    Scene scene;
+};
+
+} // namespace franken::test
