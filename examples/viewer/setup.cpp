@@ -55,9 +55,7 @@ Result<Lighting> chooseLighting(const Scene& scene, const std::optional<Environm
         lighting.ambientColor = *options.ambient;
     }
     const bool dark = lighting.suns.empty() && lighting.lamps.empty() && lighting.ambient == Ambient::None;
-    if (dark && scene.cameras.empty())
+    if (dark)
         addDefaultLight(lighting);
-    else if (dark)
-        log(LogLevel::Warning, "nothing lights the scene: see --sun, --ambient and --skybox");
     return lighting;
 }
