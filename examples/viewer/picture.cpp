@@ -52,7 +52,8 @@ Result<void> draw(const Gl& gl, unsigned framebuffer, platform::Size size, const
     }
     renderer.setLighting(subject.lighting);
     renderer.setLook(options.look);
-    return renderer.draw(viewpointOf(subject.camera, static_cast<double>(size.width) / size.height),
+    const Camera camera = tightened(subject.camera, subject.scene.bounds());
+    return renderer.draw(viewpointOf(camera, static_cast<double>(size.width) / size.height),
                          {.framebuffer = framebuffer,
                           .width = size.width,
                           .height = size.height,

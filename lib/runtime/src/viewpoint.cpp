@@ -89,4 +89,22 @@ Camera framingCamera(const Box& bounds, double aspect) {
     return camera;
 }
 
+Camera tightened(const Camera& camera, const Box& bounds) {
+    if (bounds.empty())
+        return camera;
+    const glm::dmat4 world = placeOf(camera);
+    const glm::dvec3 center = 0.5 * (glm::dvec3(bounds.min) + glm::dvec3(bounds.max));
+    const double radius = 0.5 * glm::distance(glm::dvec3(bounds.min), glm::dvec3(bounds.max));
+    const double depth = -glm::dot(center - glm::dvec3(world[3]), glm::dvec3(world[2]));
+    constexpr double kMargin = 1.001;
+    const double nearest = depth - kMargin * radius;
+    const double farthest = depth + kMargin * radius;
+    Camera tight = camera;
+    tight.znear = static_cast<float>(std::max<double>(camera.znear, nearest));
+    const bool infinite = camera.zfar == 0 && camera.projection == Camera::Projection::Perspective;
+    const double limit = infinite ? farthest : std::min<double>(camera.zfar, farthest);
+    tight.zfar = static_cast<float>(limit);
+    return tight.zfar > tight.znear ? tight : camera;
+}
+
 } // namespace franken
