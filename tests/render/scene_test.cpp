@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Real models against the Khronos sample viewer.
 //
-// That viewer has what GLES2 lacks: it decodes sRGB before it filters, makes mipmaps in linear light, and
-// filters anisotropically. Where our picture differs by more than shading may, it must be shown to be that:
-// the same programs draw once more, with textures that the driver decodes and filters likewise. What is left
-// then is how sharp two filters are, which moves light by a few pixels but adds none and takes none away: so
-// the means of blocks, in linear light, must be alike.
+// That viewer has what GLES2 lacks: it decodes sRGB before it filters, and filters anisotropically. Where our
+// picture differs by more than shading may, it must be shown to be that: the same programs draw once more,
+// with textures that the driver decodes and filters likewise. What is left then is how sharp two filters are,
+// which moves light by a few pixels but adds none and takes none away: so the means of blocks, in linear
+// light, must be alike.
 #include "support/draw_scene.h"
 
 #include <cmath>
@@ -23,11 +23,16 @@ constexpr GLenum kMaxAnisotropy = 0x84FE; // GL_TEXTURE_MAX_ANISOTROPY_EXT
 const Gl* plainGl = nullptr;
 std::set<const void*> colorPixels; // Of base colour and emissive textures.
 
+bool decoding = false; // The texture that is being uploaded is one of them.
+
 void GL_APIENTRY texImage2D(GLenum target, GLint level, GLint internalFormat, GLsizei width, GLsizei height,
                             GLint border, GLenum format, GLenum type, const void* pixels) {
-    plainGl->TexImage2D(target, level, colorPixels.count(pixels) > 0 ? kSrgb8Alpha8 : internalFormat, width,
-                        height, border, format, type, pixels);
-    plainGl->TexParameterf(target, kMaxAnisotropy, 16);
+    if (level == 0) {
+        decoding = colorPixels.count(pixels) > 0;
+        plainGl->TexParameterf(target, kMaxAnisotropy, 16);
+    }
+    plainGl->TexImage2D(target, level, decoding ? kSrgb8Alpha8 : internalFormat, width, height, border,
+                        format, type, pixels);
 }
 
 /// The table of a driver that decodes and filters as the Khronos viewer's does.

@@ -6,6 +6,13 @@
 namespace franken {
 namespace {
 
+std::size_t unitOf(const char* sampler) { return static_cast<std::size_t>(samplerUnit(sampler)); }
+
+Encoding encodingOf(std::size_t unit) {
+    const bool color = unit == unitOf("uBaseColorTexture") || unit == unitOf("uEmissiveTexture");
+    return color ? Encoding::Srgb : Encoding::Linear;
+}
+
 class Uploader {
 public:
     Uploader(const Gl& gl, const Scene& scene, const DefaultTextures& defaults,
@@ -61,14 +68,13 @@ private:
     }
 
     GLuint textureFor(int index, std::size_t unit) {
-        static const auto kNormalUnit = static_cast<std::size_t>(samplerUnit("uNormalTexture"));
         if (index == kNone)
-            return (unit == kNormalUnit ? m_defaults.flatNormal : m_defaults.white).name();
+            return (unit == unitOf("uNormalTexture") ? m_defaults.flatNormal : m_defaults.white).name();
         GlTexture& texture = m_gpu.textures[static_cast<std::size_t>(index)];
         const Texture& source = m_scene.textures[static_cast<std::size_t>(index)];
         if (!texture)
             texture = uploadTexture(m_gl, m_scene.images[static_cast<std::size_t>(source.image)], source,
-                                    m_capabilities, m_log);
+                                    encodingOf(unit), m_capabilities, m_log);
         return texture.name();
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu_texture.h"
 
+#include "mipmap.h"
 #include "resample.h"
 
 #include <algorithm>
@@ -67,9 +68,18 @@ void bind(const Gl& gl, GLenum target, const GlTexture& texture, const Texture& 
     gl.TexParameteri(target, GL_TEXTURE_MIN_FILTER, toGl(sampling.minFilter));
 }
 
-void uploadPixels(const Gl& gl, GLenum target, const Image& image) {
-    gl.TexImage2D(target, 0, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+void uploadPixels(const Gl& gl, GLenum target, const Image& image, GLint level = 0) {
+    gl.TexImage2D(target, level, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                   image.rgba.data());
+}
+
+void uploadLevels(const Gl& gl, const Image& image, bool mipmaps, Encoding encoding) {
+    uploadPixels(gl, GL_TEXTURE_2D, image);
+    if (mipmaps && encoding == Encoding::Linear)
+        gl.GenerateMipmap(GL_TEXTURE_2D);
+    else if (mipmaps)
+        for (GLint level = 0; const Image& smaller : srgbMipmaps(image))
+            uploadPixels(gl, GL_TEXTURE_2D, smaller, ++level);
 }
 
 constexpr Texture kPlain = {.wrapS = Wrap::ClampToEdge,
@@ -91,7 +101,7 @@ TextureSize fittedSize(const Image& image, const Texture& texture, const Capabil
     return {fit(image.width), fit(image.height)};
 }
 
-GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture,
+GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture, Encoding encoding,
                         const Capabilities& capabilities, const Log& log) {
     GlTexture name(gl, generate(gl.GenTextures));
     bind(gl, GL_TEXTURE_2D, name, texture);
@@ -101,11 +111,9 @@ GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture
                                    std::to_string(size.width) + "x" + std::to_string(size.height) +
                                    ": the GPU takes no more");
     if (size == TextureSize{image.width, image.height})
-        uploadPixels(gl, GL_TEXTURE_2D, image);
+        uploadLevels(gl, image, hasMipmaps(texture), encoding);
     else
-        uploadPixels(gl, GL_TEXTURE_2D, resampled(image, size.width, size.height));
-    if (hasMipmaps(texture))
-        gl.GenerateMipmap(GL_TEXTURE_2D);
+        uploadLevels(gl, resampled(image, size.width, size.height), hasMipmaps(texture), encoding);
     return name;
 }
 

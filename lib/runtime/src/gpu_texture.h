@@ -20,9 +20,12 @@ struct TextureSize {
 /// two where they must be because the texture repeats or has mipmaps.
 TextureSize fittedSize(const Image& image, const Texture& texture, const Capabilities& capabilities);
 
+/// What the colour channels of a texture hold. Alpha is always linear.
+enum class Encoding { Linear, Srgb };
+
 /// Uploads as RGBA8, with mipmaps where the filter uses them; resampled to its fitted size, with a warning
 /// where the GPU's limit is the reason. This and the next two leave the texture bound to unit 0.
-GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture,
+GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture, Encoding encoding,
                         const Capabilities& capabilities, const Log& log);
 
 /// One texel.

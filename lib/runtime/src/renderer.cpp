@@ -37,6 +37,16 @@ ObjectBlock packObject(const Drawable& drawable, const glm::dmat4& viewProjectio
     return block;
 }
 
+/// Whether one light may follow the other without other programs and other material blocks.
+bool sameShape(const Lighting& a, const Lighting& b) {
+    const auto spots = [](const Lighting& lighting) {
+        return std::any_of(lighting.lamps.begin(), lighting.lamps.end(),
+                           [](const Lamp& lamp) { return lamp.spot; });
+    };
+    return a.suns.size() == b.suns.size() && a.lamps.size() == b.lamps.size() && spots(a) == spots(b) &&
+           a.ambient == b.ambient && a.exposure == b.exposure;
+}
+
 constexpr unsigned kSkyUnit = 6;
 
 } // namespace
@@ -243,8 +253,8 @@ Result<void> Renderer::setBackdrop(const SkyCube* cube) {
 }
 
 void Renderer::setLighting(const Lighting& lighting) {
+    m_state->resolved = m_state->resolved && sameShape(m_state->lighting, lighting);
     m_state->lighting = lighting;
-    m_state->resolved = false;
 }
 
 void Renderer::setLook(const Look& look) {
