@@ -89,6 +89,12 @@ INSTANTIATE_TEST_SUITE_P(
                                         {"indices", {{"bufferView", 1}, {"componentType", 5123}}},
                                         {"values", {{"bufferView", 1}}}}),
             "gltf.bounds", "/accessors/0/sparse/values"},
+        Row{"sparseNegative",
+            set("/accessors/0/sparse",
+                {{"count", 1},
+                 {"indices", {{"bufferView", 1}, {"byteOffset", -4}, {"componentType", 5123}}},
+                 {"values", {{"bufferView", 0}}}}),
+            "gltf.bounds", "/accessors/0/sparse/indices"},
         Row{"hugeCount", set("/accessors/0/count", 4000000000u), "gltf.limit", "/accessors/0/count"},
         Row{"vertexIndex",
             [](GltfFile& file) {

@@ -79,9 +79,10 @@ bool forEachElement(Source& source, int index, Store store) {
     const auto& indices = accessor.sparse.indices;
     const auto indexSize =
         at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(indices.componentType)));
-    const std::uint8_t* indexBytes = viewData(source, indices.bufferView, at(indices.byteOffset));
-    const std::uint8_t* values =
-        viewData(source, accessor.sparse.values.bufferView, at(accessor.sparse.values.byteOffset));
+    const std::uint8_t* indexBytes =
+        viewData(source, indices.bufferView, static_cast<std::size_t>(indices.byteOffset));
+    const std::uint8_t* values = viewData(source, accessor.sparse.values.bufferView,
+                                          static_cast<std::size_t>(accessor.sparse.values.byteOffset));
     if (!indexBytes || !values)
         return false;
     for (std::size_t i = 0; i < at(accessor.sparse.count); ++i) {

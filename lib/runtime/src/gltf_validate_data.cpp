@@ -64,12 +64,13 @@ bool checkSparse(Source& source, const tinygltf::Accessor& accessor, std::size_t
         return typeError(source, where + "/count", "a sparse count is 1 to the accessor's own count");
     if (!isOneOf(sparse.indices.componentType, {kUByte, kUShort, kUInt}))
         return typeError(source, where + "/indices/componentType", "sparse indices are unsigned integers");
-    if (sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0)
-        return source.fail("gltf.bounds", where, "a byte offset is negative", std::string(kFixExporter));
-    return checkRange(source, sparse.indices.bufferView, at(sparse.indices.byteOffset), at(sparse.count),
+    // Signed in tinygltf 2.7, unsigned later; what is negative is out of range as well.
+    const auto indexOffset = static_cast<std::size_t>(sparse.indices.byteOffset);
+    const auto valueOffset = static_cast<std::size_t>(sparse.values.byteOffset);
+    return checkRange(source, sparse.indices.bufferView, indexOffset, at(sparse.count),
                       componentSize(sparse.indices.componentType), false, where + "/indices") &&
-           checkRange(source, sparse.values.bufferView, at(sparse.values.byteOffset), at(sparse.count),
-                      elementSize, false, where + "/values");
+           checkRange(source, sparse.values.bufferView, valueOffset, at(sparse.count), elementSize, false,
+                      where + "/values");
 }
 
 bool checkAccessor(Source& source, std::size_t index) {
