@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// dump_program NAME < SCENES
+//
+// A program as JSON, a document a line: first its two texts, then its uniforms' values for each line of
+// SCENES, which is 11 numbers: base colour, metalness, roughness, the camera's place, and the direction to
+// the one sun, of pi lux. The object's matrices are the identity.
+#include "franken/generator/compose.h"
+#include "franken/generator/pack.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <iostream>
+#include <numbers>
+
+using namespace franken;
+
+namespace {
+
+struct Blocks {
+    FrameBlock frame{};
+    LightsBlock lights{};
+    MaterialBlock material{};
+    ObjectBlock object{};
+};
+
+using Scene = std::array<float, 11>;
+
+Blocks pack(const Permutation& permutation, const Scene& scene) {
+    Blocks blocks;
+    MaterialFactors factors;
+    factors.baseColor = {scene[0], scene[1], scene[2], 1};
+    factors.metallic = scene[3];
+    factors.roughness = scene[4];
+    blocks.material = packMaterial(factors, permutation.brdf, 1);
+    blocks.frame.cameraPosition = {scene[5], scene[6], scene[7]};
+    Sun sun;
+    sun.direction = {-scene[8], -scene[9], -scene[10]};
+    sun.illuminance = std::numbers::pi_v<float>;
+    packSun(blocks.lights, 0, sun, 1);
+    blocks.object.modelViewProjection =
+        blocks.object.model = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    blocks.object.normalMatrix = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+    return blocks;
+}
+
+const void* addressOf(const Blocks& blocks, Block block) {
+    switch (block) {
+    case Block::Frame:
+        return &blocks.frame;
+    case Block::Lights:
+        return &blocks.lights;
+    case Block::Material:
+        return &blocks.material;
+    case Block::Object:
+        return &blocks.object;
+    }
+    return nullptr;
+}
+
+nlohmann::json valuesOf(const Blocks& blocks, const Uniform& uniform) {
+    const int offset = fieldOffset(uniform.block, uniform.name);
+    const auto* floats = static_cast<const float*>(addressOf(blocks, uniform.block)) + offset;
+    const auto count = static_cast<std::size_t>(componentCount(uniform.type) * uniform.count);
+    return std::vector<float>(floats, floats + count);
+}
+
+bool readScene(std::istream& in, Scene& scene) {
+    for (float& number : scene)
+        if (!(in >> number))
+            return false;
+    return true;
+}
+
+void dump(const Permutation& permutation) {
+    const Composed program = compose(permutation);
+    std::cout << nlohmann::json{{"vertex", program.vertex.text}, {"fragment", program.fragment.text}}.dump()
+              << '\n';
+    for (Scene scene{}; readScene(std::cin, scene);) {
+        const Blocks blocks = pack(permutation, scene);
+        nlohmann::json uniforms;
+        for (const Uniform& uniform : program.interface.uniforms)
+            uniforms[uniform.name] = valuesOf(blocks, uniform);
+        std::cout << uniforms.dump() << '\n';
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    const auto parsed = parseName(argc == 2 ? argv[1] : "");
+    const auto canonical = parsed ? canonicalise(*parsed) : Result<Canonical>(parsed.error());
+    if (!canonical) {
+        std::cerr << toString(canonical.error()) << '\n';
+        return 1;
+    }
+    dump(canonical->permutation);
+    return 0;
+}
