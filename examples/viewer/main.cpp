@@ -60,7 +60,8 @@ ExitCode run(const Options& options) {
         return printPermutations(subject, options);
     const Result<Image> picture = drawPicture(subject, options, logToStderr);
     if (!picture)
-        return fail(picture.error(), ExitCode::Device);
+        return fail(picture.error(),
+                    picture.error().code == "surface.options" ? ExitCode::Usage : ExitCode::Device);
     if (const Result<void> written = writePng(options.output, *picture); !written)
         return fail(written.error(), ExitCode::Device);
     return ExitCode::Ok;

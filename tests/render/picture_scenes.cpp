@@ -1,0 +1,386 @@
+// SPDX-License-Identifier: MIT
+#include "picture_scenes.h"
+
+#include "support/shapes.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace franken::test {
+namespace {
+
+constexpr glm::vec4 kOrange(0.9f, 0.5f, 0.2f, 1), kBlue(0.2f, 0.4f, 0.9f, 1), kWhite(1);
+constexpr int kRings = 24;
+
+Camera cameraAt(float distance) {
+    Camera camera;
+    camera.yfov = 0.6f;
+    camera.world[3] = {0, 0, distance, 1};
+    return camera;
+}
+
+Shot shotOfScene(SceneBuilder builder) {
+    if (builder.scene.lights.empty())
+        builder.addSun({-0.6f, -0.5f, -0.7f}, {1, 0.95f, 0.9f}, 3);
+    return {.scene = builder.scene, .camera = cameraAt(4), .lighting = lightingOf(builder.scene)};
+}
+
+Material plain(float metallic, float roughness) {
+    Material material;
+    material.baseColor = kOrange;
+    material.metallic = metallic;
+    material.roughness = roughness;
+    return material;
+}
+
+Shot ball(const Material& material) {
+    SceneBuilder builder;
+    builder.add(sphere(kRings), builder.addMaterial(material));
+    return shotOfScene(std::move(builder));
+}
+
+/// A ball whose material gets its textures from `dress`.
+template<typename Dress>
+Shot dressedBall(Dress dress) {
+    SceneBuilder builder;
+    Material material = plain(0, 0.5f);
+    material.baseColor = kWhite;
+    dress(builder, material);
+    builder.add(sphere(kRings), builder.addMaterial(material));
+    return shotOfScene(std::move(builder));
+}
+
+int addChecks(SceneBuilder& builder) { return builder.addTexture(checkers(64, 8, kOrange, kBlue)); }
+
+int addPacked(SceneBuilder& builder) {
+    return builder.addTexture(paint(64, [](glm::vec2 uv) {
+        return glm::vec4(0.3f + 0.7f * std::abs(2 * uv.x - 1), 0.1f + 0.9f * uv.y, uv.x < 0.5f ? 0 : 1, 1);
+    }));
+}
+
+Shot textured() {
+    return dressedBall([](SceneBuilder& builder, Material& material) {
+        material.baseColorTexture.texture = addChecks(builder);
+    });
+}
+
+Shot bumpy() {
+    return dressedBall([](SceneBuilder& builder, Material& material) {
+        material.baseColor = kOrange;
+        material.normalTexture.texture = builder.addTexture(bumps(128, 8));
+        material.normalScale = 1.5f;
+    });
+}
+
+Shot packed() {
+    Shot shot = dressedBall([](SceneBuilder& builder, Material& material) {
+        material.baseColor = kOrange;
+        material.metallic = 1;
+        material.roughness = 1;
+        material.metallicRoughnessTexture.texture = addPacked(builder);
+        material.occlusionTexture.texture = material.metallicRoughnessTexture.texture;
+        material.occlusionStrength = 0.8f;
+    });
+    shot.lighting.ambient = Ambient::Color;
+    shot.lighting.ambientColor = {0.3f, 0.3f, 0.35f};
+    return shot;
+}
+
+Shot occluded() {
+    Shot shot = dressedBall([](SceneBuilder& builder, Material& material) {
+        material.occlusionTexture.texture = addPacked(builder);
+    });
+    shot.lighting.suns.clear();
+    shot.lighting.ambient = Ambient::Color;
+    shot.lighting.ambientColor = {0.5f, 0.6f, 0.7f};
+    return shot;
+}
+
+Shot glowing() {
+    Shot shot = dressedBall([](SceneBuilder& builder, Material& material) {
+        material.baseColor = glm::vec4(0.1f, 0.1f, 0.1f, 1);
+        material.emissive = {3, 2, 1};
+        material.emissiveTexture.texture = addChecks(builder);
+    });
+    shot.look.toneMap = ToneMap::Reinhard;
+    shot.lighting.exposure = 0.7f;
+    return shot;
+}
+
+Shot masked() {
+    return dressedBall([](SceneBuilder& builder, Material& material) {
+        material.baseColorTexture.texture =
+            builder.addTexture(checkers(64, 8, kOrange, glm::vec4(kBlue.r, kBlue.g, kBlue.b, 0)));
+        material.alphaMode = AlphaMode::Mask;
+        material.doubleSided = true;
+    });
+}
+
+// Given front to back: only sorting draws them right.
+Shot blended() {
+    SceneBuilder builder;
+    const glm::vec4 colors[] = {{0.9f, 0.1f, 0.1f, 0.5f}, {0.1f, 0.9f, 0.1f, 0.5f}, {0.1f, 0.1f, 0.9f, 0.5f}};
+    for (int i = 0; i < 3; ++i) {
+        Material material = plain(0, 1);
+        material.baseColor = colors[i];
+        material.alphaMode = AlphaMode::Blend;
+        const glm::vec3 place(0.4f * static_cast<float>(i - 1), 0.3f * static_cast<float>(1 - i),
+                              -0.3f * static_cast<float>(i));
+        builder.add(square(), builder.addMaterial(material),
+                    glm::scale(glm::translate(glm::mat4(1), place), glm::vec3(0.6f)));
+    }
+    builder.add(sphere(kRings), builder.addMaterial(plain(0, 0.4f)),
+                glm::scale(glm::translate(glm::mat4(1), {0, 0, -1}), glm::vec3(0.7f)));
+    return shotOfScene(std::move(builder));
+}
+
+/// Two squares, seen from the front and from behind.
+Shot sided(bool doubleSided) {
+    SceneBuilder builder;
+    Material material = plain(0, 0.5f);
+    material.doubleSided = doubleSided;
+    const int index = builder.addMaterial(material);
+    for (const auto& [x, turn] : {std::pair(-0.6f, 0.2f), std::pair(0.6f, -2.2f)})
+        builder.add(square(), index,
+                    glm::scale(glm::rotate(glm::translate(glm::mat4(1), {x, 0, 0}), turn, glm::vec3(0, 1, 0)),
+                               glm::vec3(0.6f)));
+    return shotOfScene(std::move(builder));
+}
+
+Shot tinted() {
+    SceneBuilder builder;
+    Primitive primitive = sphere(kRings);
+    for (const glm::vec3& normal : primitive.normals)
+        primitive.colors.emplace_back(0.5f + 0.5f * normal, 1);
+    Material material = plain(0, 0.6f);
+    material.baseColor = kWhite;
+    builder.add(std::move(primitive), builder.addMaterial(material));
+    return shotOfScene(std::move(builder));
+}
+
+glm::mat3 turnedAndTripled() {
+    const float c = 3 * std::cos(0.5f), s = 3 * std::sin(0.5f);
+    return {c, -s, 0, s, c, 0, 0.1f, 0.2f, 1};
+}
+
+Shot twoStreams() {
+    SceneBuilder builder;
+    Material material = plain(0, 0.5f);
+    material.baseColor = kWhite;
+    material.baseColorTexture = {
+        .texture = addChecks(builder), .transform = turnedAndTripled(), .transformed = true};
+    material.normalTexture = {.texture = builder.addTexture(bumps(64, 4)), .uvSet = 1};
+    Primitive primitive = square();
+    primitive.uv[1] = primitive.uv[0];
+    builder.add(std::move(primitive), builder.addMaterial(material));
+    return shotOfScene(std::move(builder));
+}
+
+Shot unlit() {
+    Shot shot = textured();
+    shot.scene.materials[0].unlit = true;
+    return shot;
+}
+
+Shot withBrdf(Brdf brdf) {
+    Shot shot = ball(plain(1, 0.6f));
+    shot.look.brdf = brdf;
+    return shot;
+}
+
+Shot fourSuns() {
+    SceneBuilder builder;
+    builder.addSun({-1, -1, -1}, {1, 0.2f, 0.2f}, 2);
+    builder.addSun({1, -1, -1}, {0.2f, 1, 0.2f}, 2);
+    builder.addSun({0, 1, -1}, {0.2f, 0.2f, 1}, 2);
+    builder.addSun({0, -0.2f, 1}, {1, 1, 1}, 4);
+    builder.add(sphere(kRings), builder.addMaterial(plain(0.3f, 0.4f)));
+    return shotOfScene(std::move(builder));
+}
+
+Light lampAt(const glm::vec3& position, const glm::vec3& color, Light::Kind kind = Light::Kind::Point) {
+    Light light;
+    light.kind = kind;
+    light.position = position;
+    light.direction = glm::normalize(-position);
+    light.color = color;
+    light.intensity = 4;
+    light.innerConeAngle = 0.1f;
+    light.outerConeAngle = 0.35f;
+    return light;
+}
+
+Shot lamps(Light::Kind kind) {
+    SceneBuilder builder;
+    builder.scene.lights = {lampAt({-1.2f, 0.5f, 1.5f}, {1, 0.5f, 0.3f}, kind),
+                            lampAt({1.4f, 0.8f, 1.2f}, {0.3f, 0.5f, 1}, kind)};
+    builder.scene.lights[1].range = 2.5f;
+    builder.add(square(), builder.addMaterial(plain(0, 0.3f)));
+    return shotOfScene(std::move(builder));
+}
+
+Shot sunsAndLamps() {
+    Shot shot = fourSuns();
+    shot.lighting.suns.resize(2);
+    shot.scene.lights = {lampAt({1, 1, 1.5f}, {1, 1, 0.5f}, Light::Kind::Spot)};
+    shot.lighting.lamps = lightingOf(shot.scene).lamps;
+    return shot;
+}
+
+/// Blue above, brown below, a bright spot to the right.
+Environment makeSky() {
+    Environment sky{.width = 64, .height = 32, .texels = {}};
+    for (int y = 0; y < sky.height; ++y)
+        for (int x = 0; x < sky.width; ++x) {
+            const float up = 1 - (static_cast<float>(y) + 0.5f) / 16;
+            const bool spot = std::abs(x - 46) < 3 && std::abs(y - 10) < 3;
+            sky.texels.push_back(spot ? glm::vec3(20, 18, 14)
+                                      : glm::mix(glm::vec3(0.25f, 0.2f, 0.12f), glm::vec3(0.3f, 0.5f, 1),
+                                                 glm::smoothstep(-0.1f, 0.3f, up)));
+        }
+    return sky;
+}
+
+Shot underSky() {
+    Shot shot = dressedBall([](SceneBuilder&, Material&) {});
+    const Environment sky = makeSky();
+    shot.lighting.suns.clear();
+    shot.lighting.ambient = Ambient::Sky;
+    shot.lighting.sky = skyCoefficients(sky);
+    shot.backdrop = encodeSkyCube(sky, 64);
+    shot.look.toneMap = ToneMap::Neutral;
+    return shot;
+}
+
+/// A ball that is bright enough to show what a tone map does.
+Shot toneMapped(ToneMap toneMap) {
+    Shot shot = ball(plain(0.5f, 0.4f));
+    shot.lighting.exposure = 3;
+    shot.look.toneMap = toneMap;
+    return shot;
+}
+
+Shot withOutput(Output output, Dither dither) {
+    Shot shot = ball(plain(0, 0.5f));
+    shot.look.output = output;
+    shot.look.dither = dither;
+    return shot;
+}
+
+Shot withDecode(Decode decode) {
+    Shot shot = textured();
+    shot.look.decode = decode;
+    return shot;
+}
+
+Shot withView(View view) {
+    Shot shot = packed();
+    SceneBuilder builder{.scene = shot.scene};
+    builder.scene.materials[0].normalTexture.texture = builder.addTexture(bumps(128, 8));
+    builder.scene.materials[0].baseColorTexture.texture = addChecks(builder);
+    shot.scene = builder.scene;
+    shot.look.view = view;
+    return shot;
+}
+
+Shot stretchedAndMirrored() {
+    SceneBuilder builder;
+    const int material = builder.addMaterial(plain(0, 0.3f));
+    const glm::mat4 left = glm::translate(glm::mat4(1), {-0.8f, 0, 0});
+    const glm::mat4 right = glm::translate(glm::mat4(1), {0.8f, 0, 0});
+    builder.add(sphere(kRings), material, glm::scale(left, glm::vec3(0.4f, 0.9f, 0.4f)));
+    builder.add(sphere(kRings), material, glm::scale(right, glm::vec3(-0.7f, 0.5f, 0.7f)));
+    return shotOfScene(std::move(builder));
+}
+
+Shot orthographic() {
+    Shot shot = textured();
+    shot.camera.projection = Camera::Projection::Orthographic;
+    shot.camera.xmag = 2;
+    shot.camera.ymag = 1.5f;
+    shot.camera.zfar = 10;
+    return shot;
+}
+
+Shot perVertex() {
+    Shot shot = bumpy();
+    shot.look.lightVectors = LightVectors::PerVertex;
+    return shot;
+}
+
+Shot wrapsAndFilters() {
+    SceneBuilder builder;
+    int column = 0;
+    for (const Wrap wrap : {Wrap::Repeat, Wrap::ClampToEdge, Wrap::MirroredRepeat}) {
+        for (const Filter filter : {Filter::Nearest, Filter::Linear}) {
+            const int texture = builder.addTexture(
+                paint(4, [](glm::vec2 uv) { return glm::vec4(uv.x, uv.y, 0.2f, 1); }), filter, wrap);
+            builder.scene.textures.back().magFilter = filter;
+            Material material;
+            material.unlit = true;
+            material.baseColorTexture = {
+                .texture = texture, .transform = glm::mat3(3, 0, 0, 0, 3, 0, -1, -1, 1), .transformed = true};
+            const glm::vec3 place(-0.9f + 0.9f * static_cast<float>(column / 2),
+                                  column % 2 == 0 ? 0.5f : -0.5f, 0);
+            builder.add(square(), builder.addMaterial(material),
+                        glm::scale(glm::translate(glm::mat4(1), place), glm::vec3(0.4f)));
+            ++column;
+        }
+    }
+    return shotOfScene(std::move(builder));
+}
+
+Shot background() {
+    Shot shot = ball(plain(0, 1));
+    shot.background = {0.2f, 0.3f, 0.4f};
+    return shot;
+}
+
+} // namespace
+
+std::vector<PictureRow> pictureRows() {
+    return {
+        {"dielectric", [] { return ball(plain(0, 0.3f)); }},
+        {"metal", [] { return ball(plain(1, 0.3f)); }},
+        {"mirror", [] { return ball(plain(1, 0)); }},
+        {"base_color_texture", textured},
+        {"normal_map", bumpy},
+        {"packed_textures", packed},
+        {"occlusion", occluded},
+        {"emissive_reinhard", glowing},
+        {"mask", masked},
+        {"blend", blended},
+        {"single_sided", [] { return sided(false); }},
+        {"double_sided", [] { return sided(true); }},
+        {"vertex_colors", tinted},
+        {"two_uv_streams", twoStreams},
+        {"unlit", unlit},
+        {"brdf_seed", [] { return withBrdf(Brdf::Seed); }},
+        {"brdf_fast", [] { return withBrdf(Brdf::Fast); }},
+        {"brdf_schlick", [] { return withBrdf(Brdf::Schlick); }},
+        {"four_suns", fourSuns},
+        {"point_lamps", [] { return lamps(Light::Kind::Point); }},
+        {"spots", [] { return lamps(Light::Kind::Spot); }},
+        {"suns_and_lamps", sunsAndLamps},
+        {"sky", underSky},
+        {"tone_none", [] { return toneMapped(ToneMap::None); }},
+        {"tone_aces", [] { return toneMapped(ToneMap::Aces); }},
+        {"tone_neutral", [] { return toneMapped(ToneMap::Neutral); }},
+        {"output_pow22", [] { return withOutput(Output::Pow22, Dither::None); }},
+        {"output_linear", [] { return withOutput(Output::Linear, Dither::None); }},
+        {"output_fast_dithered", [] { return withOutput(Output::SrgbFast, Dither::Ordered); }},
+        {"decode_fast", [] { return withDecode(Decode::Fast); }},
+        {"decode_none", [] { return withDecode(Decode::None); }},
+        {"view_base_color", [] { return withView(View::BaseColor); }},
+        {"view_normal", [] { return withView(View::Normal); }},
+        {"view_metalrough", [] { return withView(View::RoughnessMetallic); }},
+        {"view_occlusion", [] { return withView(View::Occlusion); }},
+        {"stretched_and_mirrored", stretchedAndMirrored},
+        {"orthographic", orthographic},
+        {"vertex_light", perVertex},
+        {"wraps_and_filters", wrapsAndFilters},
+        {"background", background},
+    };
+}
+
+} // namespace franken::test

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+// The viewer as a shell sees it.
+#include "franken/generator/permutation.h"
+#include "support/draw_scene.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+namespace franken::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kUrn = URN_GLB;
+
+struct Outcome {
+    int code;
+    std::string out, err;
+};
+
+std::string readText(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+}
+
+class Viewer : public testing::Test {
+protected:
+    Outcome run(const std::string& arguments) {
+        const fs::path out = m_folder / "out.txt", err = m_folder / "err.txt";
+        const int status = std::system(("cd " + m_folder.string() + " && " VIEWER " " + arguments + " >" +
+                                        out.string() + " 2>" + err.string())
+                                           .c_str());
+        return {WEXITSTATUS(status), readText(out), readText(err)};
+    }
+
+    void SetUp() override {
+        m_folder = fs::path(FRANKEN_BINARY_DIR) / "viewer-test" /
+                   testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::remove_all(m_folder);
+        fs::create_directories(m_folder);
+        setenv("GALLIUM_DRIVER", "softpipe", 0);
+        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
+    }
+
+    fs::path m_folder;
+};
+
+TEST_F(Viewer, DrawsTheSamePictureOnBothBackends) {
+    const std::string model = std::string(kUrn) + " --size 80x60 ";
+    for (const std::string backend : {"osmesa", "egl"}) {
+        const Outcome outcome = run(model + "--backend " + backend + " -o " + backend + ".png");
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+    }
+    const Picture osmesa = readPicture(m_folder / "osmesa.png");
+    EXPECT_EQ(osmesa.width, 80);
+    EXPECT_EQ(osmesa.height, 60);
+    const Difference difference = compareLit(osmesa, readPicture(m_folder / "egl.png"));
+    EXPECT_GT(difference.pixels, 300u);
+    EXPECT_EQ(difference.max(), 0) << difference;
+}
+
+TEST_F(Viewer, SupersamplingMakesEdgesSoft) {
+    const std::string model = std::string(kUrn) + " --size 80x60 ";
+    EXPECT_EQ(run(model + "-o plain.png").code, 0);
+    EXPECT_EQ(run(model + "-o soft.png --supersample").code, 0);
+    const Picture soft = readPicture(m_folder / "soft.png");
+    EXPECT_EQ(soft.width, 80);
+    const Difference difference = compareLit(soft, readPicture(m_folder / "plain.png"));
+    EXPECT_GT(difference.mean, 1);
+    EXPECT_LT(std::abs(difference.bias), 4);
+}
+
+TEST_F(Viewer, PrintsThePermutationsThatItNeeds) {
+    const Outcome outcome = run(std::string(kUrn) + " --permutations --brdf seed");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::istringstream lines(outcome.out);
+    int count = 0;
+    for (std::string line; std::getline(lines, line); ++count) {
+        const Result<Permutation> permutation = parseName(line);
+        ASSERT_TRUE(permutation) << line;
+        EXPECT_EQ(permutation->brdf, Brdf::Seed) << line;
+    }
+    EXPECT_GE(count, 1);
+    EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+}
+
+TEST_F(Viewer, HelpShowsAnExample) {
+    const Outcome outcome = run("--help");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_NE(outcome.out.find("Example: viewer"), std::string::npos);
+}
+
+TEST_F(Viewer, ExitCodesTellWhoseFaultItIs) {
+    const std::string urn = kUrn;
+    EXPECT_EQ(run("").code, 2);
+    EXPECT_EQ(run(urn + " --size 0x5").code, 2);
+    EXPECT_EQ(run(urn + " --size 9000x30").code, 2);
+    EXPECT_EQ(run(urn + " --sun 0,0,0").code, 2);
+    EXPECT_EQ(run(urn + " --sun 1,2:3").code, 2);
+    EXPECT_EQ(run(urn + " --camera nobody").code, 2);
+    EXPECT_EQ(run(urn + " --tone-map loud").code, 2);
+    EXPECT_EQ(run(urn + " --sun 0,-1,0 --sun 0,-1,0 --sun 0,-1,0 --sun 0,-1,0 --sun 0,-1,0").code, 2);
+    EXPECT_EQ(run("missing.gltf").code, 3);
+    EXPECT_EQ(run(urn + " --skybox missing.hdr").code, 3);
+    EXPECT_EQ(run(urn + " --size 40x30 -o no/such/folder.png").code, 4);
+    EXPECT_NE(run("missing.gltf").err.find("missing.gltf"), std::string::npos);
+}
+
+TEST_F(Viewer, DrawsUnderASkyByOthers) {
+    const fs::path sky = findShared("assets/env/venice.hdr");
+    if (sky.empty())
+        GTEST_SKIP() << "needs ../shared/assets/env beside the sources";
+    const Outcome outcome =
+        run(std::string(kUrn) + " --size 80x60 --tone-map neutral --skybox " + sky.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const Picture picture = readPicture(m_folder / "out.png");
+    const std::uint8_t* const corner = picture.rgba.data(); // Sky, not background.
+    EXPECT_GT(corner[0] + corner[1] + corner[2], 0);
+}
+
+} // namespace
+} // namespace franken::test
