@@ -76,15 +76,16 @@ Surface makeSurface(float metallic, float roughness) {
   return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
-// normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;
-// |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
-vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 scale, float nDotV, vec3 toLight) {
-  float nDotL = max(scale.x * dot(normal, toLight), 0.0);
-  float nDotH = nDotL + nDotV;
-  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.000002;
+// normal and toCamera times their scale are unit, as toLight is. squares: |normal|^2; 1 + |V|^2, kept off 2.
+// facing: N.V of the unscaled normal. Returns N.L clamped; (N.(V+L))^2 and |V+L|^2, both times |normal|^2;
+// Schlick's (1 - V.H)^5.
+vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 squares, vec2 scale, float facing, vec3 toLight) {
+  float facingLight = max(dot(normal, toLight), 0.0);
+  float nDotH = facingLight + facing;
+  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + squares.y;
   float x = 1.0 - root(0.25 * h2);
   float x2 = x * x;
-  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+  return vec4(facingLight * scale.x, nDotH * nDotH, squares.x * h2, x2 * x2 * x);
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -105,9 +106,12 @@ void main() {
   Surface surface = makeSurface(metallic, roughness);
   vec3 diffuse = vec3(0.0);
   vec3 specular = vec3(0.0);
-  vec2 scale = vec2(inverseRoot(dot(normal, normal)), inverseRoot(dot(vToCamera, vToCamera)));
-  float nDotV = max(dot(normal, vToCamera) * (scale.y * scale.x), 1.0e-4);
-  vec4 anglesSun0 = lightAngles(normal, vToCamera, scale, nDotV, uSun0Direction);
+  vec2 squares = vec2(dot(normal, normal), dot(vToCamera, vToCamera));
+  vec2 scale = vec2(inverseRoot(squares.x), inverseRoot(squares.y));
+  squares.y = squares.y * (scale.y * scale.y) + 1.000002;
+  float facing = max(dot(normal, vToCamera) * scale.y, 5.0e-5);
+  float nDotV = facing * scale.x;
+  vec4 anglesSun0 = lightAngles(normal, vToCamera, squares, scale, facing, uSun0Direction);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
   vec3 color = base.rgb * diffuse + specular;
   color = encodeDisplay(color);
