@@ -69,6 +69,7 @@ template<typename Value>
 void addChoice(CLI::App& app, const char* name, Value& value, const char* text,
                const std::vector<std::pair<std::string, Value>>& words) {
     std::vector<std::string> names;
+    names.reserve(words.size());
     for (const auto& [word, meaning] : words)
         names.push_back(word);
     app.add_option_function<std::string>(

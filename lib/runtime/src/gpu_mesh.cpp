@@ -31,6 +31,12 @@ Color toColor(const glm::vec4& color) {
     return result;
 }
 
+/// GL takes an offset into the bound buffer in place of a pointer.
+const void* bufferOffset(int bytes) {
+    return reinterpret_cast<const void*>(
+        static_cast<std::uintptr_t>(bytes)); // NOLINT(performance-no-int-to-ptr)
+}
+
 template<typename Value, typename Convert>
 void place(MeshData& data, int offset, const std::vector<Value>& values, Convert convert) {
     if (offset < 0)
@@ -138,7 +144,7 @@ void GpuMesh::setPointers(const Gl& gl, unsigned attributes, const std::array<in
         assert(offset >= 0 && "the plan of the material asks for no more than the mesh has");
         const GLboolean normalized = type == GL_FLOAT ? GL_FALSE : GL_TRUE;
         gl.VertexAttribPointer(static_cast<GLuint>(location), size, type, normalized, m_format.stride,
-                               reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset)));
+                               bufferOffset(offset));
     };
     set("aPosition", 3, GL_FLOAT, m_format.position);
     set("aNormal", 3, GL_FLOAT, m_format.normal);

@@ -63,7 +63,7 @@ private:
                         .block = {}};
         for (std::size_t unit = 0; unit < kMaterialUnits; ++unit)
             gpu.textures[unit] = textureFor(gpu.plan.textures[unit], unit);
-        m_gpu.materials.push_back(std::move(gpu));
+        m_gpu.materials.push_back(gpu);
         return m_gpu.materials.size() - 1;
     }
 

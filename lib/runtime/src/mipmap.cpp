@@ -35,7 +35,7 @@ std::uint8_t meanColor(const Four& codes) {
     float light = 0;
     for (const std::uint8_t code : codes)
         light += tables.light[code];
-    return tables.code[static_cast<std::size_t>(std::lround(light * (kSteps / 4)))];
+    return tables.code[static_cast<std::size_t>(std::lround(light * 0.25f * kSteps))];
 }
 
 std::uint8_t meanAlpha(const Four& a) {

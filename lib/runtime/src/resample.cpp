@@ -32,13 +32,17 @@ std::vector<Tap> tapsOf(int out, int sizeOut, int sizeIn) {
 /// Scales rows of `sizeIn` pixels, `count` of them, and transposes: two calls scale both axes.
 std::vector<float> scaledAcross(const std::vector<float>& in, int sizeIn, int count, int sizeOut) {
     std::vector<float> out(4 * static_cast<std::size_t>(sizeOut) * static_cast<std::size_t>(count));
+    const auto pixelAt = [](int row, int rowSize, int column) {
+        return 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(rowSize) +
+                    static_cast<std::size_t>(column));
+    };
     for (int x = 0; x < sizeOut; ++x) {
         const std::vector<Tap> taps = tapsOf(x, sizeOut, sizeIn);
         for (int y = 0; y < count; ++y)
             for (const Tap& tap : taps)
-                for (int channel = 0; channel < 4; ++channel)
-                    out[static_cast<std::size_t>(4 * (x * count + y) + channel)] +=
-                        tap.weight * in[static_cast<std::size_t>(4 * (y * sizeIn + tap.pixel) + channel)];
+                for (std::size_t channel = 0; channel < 4; ++channel)
+                    out[pixelAt(x, count, y) + channel] +=
+                        tap.weight * in[pixelAt(y, sizeIn, tap.pixel) + channel];
     }
     return out;
 }

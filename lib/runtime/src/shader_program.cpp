@@ -61,7 +61,7 @@ void ShaderProgram::upload(const Slot& slot, const float* values) const {
     case Type::SamplerCube:
         break;
     }
-    assert(!"a sampler is no uniform of a block");
+    assert(false && "a sampler is no uniform of a block");
 }
 
 } // namespace franken
