@@ -103,6 +103,9 @@ constexpr Rule kRules[] = {
     {"emissiveUv",
      [](const Permutation& p) { return p.emissiveUv == kUv1 && p.emissive != Emissive::Texture; },
      "there is no emissive texture", "add 'emissive', or drop the word"},
+    {"skySpecular",
+     [](const Permutation& p) { return p.skySpecular != SkySpecular::None && p.ambient != Ambient::Sky; },
+     "there is no sky to be mirrored", "add 'sh', or drop the word"},
     {"spots", [](const Permutation& p) { return p.spots && p.lamps == 0; }, "there is no lamp",
      "add 'lamp1', or drop the word"},
 };

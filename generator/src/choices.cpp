@@ -58,6 +58,8 @@ constexpr Option kShading[] = {{"lit", "lit by ambient light, suns and lamps"},
 constexpr Option kAmbient[] = {{"no-ambient", "no ambient light"},
                                {"ambient", "one colour from everywhere"},
                                {"sh", "a sky's irradiance, nine SH coefficients"}};
+constexpr Option kSkySpecular[] = {{"no-mirror", "the sky lights, and is not mirrored"},
+                                   {"mirror", "rough mirrors show the sky: filtered levels and a lookup"}};
 constexpr Option kSuns[] = {{"sun0", "no sun"},
                             {"sun1", "one sun"},
                             {"sun2", "two suns"},
@@ -118,6 +120,7 @@ constexpr std::array kChoices = {
     choice<&Permutation::uv1Transform>("uv1Transform", true, 20, 1, kUv1Transform),
     choice<&Permutation::shading>("shading", true, 21, 1, kShading),
     choice<&Permutation::ambient>("ambient", false, 22, 2, kAmbient),
+    choice<&Permutation::skySpecular>("skySpecular", false, 53, 2, kSkySpecular),
     choice<&Permutation::suns>("suns", false, 24, 3, kSuns),
     choice<&Permutation::lamps>("lamps", false, 27, 3, kLamps),
     choice<&Permutation::spots>("spots", false, 30, 1, kSpots),
@@ -133,8 +136,8 @@ constexpr std::array kChoices = {
 };
 
 constexpr ReservedBits kReserved[] = {
-    {"driver workarounds", 47, 3}, {"skinning", 50, 1},     {"morphs", 51, 1},
-    {"sun shadows", 52, 1},        {"sky specular", 53, 2}, {"spare", 55, 5},
+    {"driver workarounds", 47, 3}, {"skinning", 50, 1}, {"morphs", 51, 1},
+    {"sun shadows", 52, 1},        {"spare", 55, 5},
 };
 
 } // namespace

@@ -24,14 +24,16 @@ constexpr std::array<std::string_view, 4> kBlocks = {"frame", "lights", "materia
 using Slot = std::pair<std::string_view, int>;
 constexpr std::array<Slot, 6> kAttributes = {
     {{"aPosition", 0}, {"aNormal", 1}, {"aTangent", 2}, {"aUv0", 3}, {"aUv1", 4}, {"aColor", 5}}};
-constexpr std::array<Slot, 8> kSamplers = {{{"uBaseColorTexture", 0},
-                                            {"uNormalTexture", 1},
-                                            {"uMetallicRoughnessTexture", 2},
-                                            {"uMetallicTexture", 2},
-                                            {"uRoughnessTexture", 3},
-                                            {"uOcclusionTexture", 4},
-                                            {"uEmissiveTexture", 5},
-                                            {"uSkyTexture", 6}}};
+constexpr std::array<Slot, 10> kSamplers = {{{"uBaseColorTexture", 0},
+                                             {"uNormalTexture", 1},
+                                             {"uMetallicRoughnessTexture", 2},
+                                             {"uMetallicTexture", 2},
+                                             {"uRoughnessTexture", 3},
+                                             {"uOcclusionTexture", 4},
+                                             {"uEmissiveTexture", 5},
+                                             {"uSkyTexture", 6},
+                                             {"uSpecularSky", 6},
+                                             {"uSpecularLookup", 7}}};
 
 template<std::size_t Size>
 int find(const std::array<Slot, Size>& slots, std::string_view name) {

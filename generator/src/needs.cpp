@@ -18,6 +18,7 @@ void findLight(const Permutation& p, Needs& n) {
     const bool lit = n.material && n.shaded && p.shading == Shading::Lit;
     n.direct = lit && p.suns + p.lamps > 0;
     n.ambient = lit && p.ambient != Ambient::None;
+    n.mirror = n.ambient && p.skySpecular != SkySpecular::None;
     n.emissive = lit && p.emissive != Emissive::None;
     n.occlusion = (n.ambient || (n.material && p.view == View::Occlusion)) && p.occlusion != Occlusion::None;
     n.normal = n.direct || (n.ambient && p.ambient == Ambient::Sky) || (n.material && p.view == View::Normal);
@@ -28,7 +29,7 @@ void findLight(const Permutation& p, Needs& n) {
     n.tangentSpace =
         n.vertexSuns && n.normalMap && p.suns <= 2 && !frameless && !(n.turned && p.facingWorkaround);
     n.fewSuns = n.direct && !n.vertexSuns && p.suns <= 2 && p.lamps == 0 && !frameless;
-    n.toCamera = n.direct || (n.turned && p.facingWorkaround);
+    n.toCamera = n.direct || n.mirror || (n.turned && p.facingWorkaround);
 }
 
 void findMaterial(const Permutation& p, Needs& n) {
@@ -39,7 +40,7 @@ void findMaterial(const Permutation& p, Needs& n) {
     n.base = n.color || (n.material && p.alpha != Alpha::Opaque);
     const bool reflectance = n.direct || (n.ambient && p.ambient == Ambient::Sky);
     n.metallic = reflectance || (n.material && p.view == View::RoughnessMetallic);
-    n.roughness = n.direct || (n.material && p.view == View::RoughnessMetallic);
+    n.roughness = n.direct || n.mirror || (n.material && p.view == View::RoughnessMetallic);
     n.textured = p.metallicRoughness != MetallicRoughness::Factors;
 }
 

@@ -13,6 +13,7 @@ struct Needs {
     bool ambient;      ///< Ambient light, of either kind.
     bool color;        ///< The base colour's RGB is read.
     bool base;         ///< The base colour's RGB or alpha is read.
+    bool mirror;       ///< The sky's mirror image.
     bool normal;       ///< A normal per pixel.
     bool normalMap;    ///< ... from a map.
     bool tangentSpace; ///< Suns are brought into tangent space, per vertex.

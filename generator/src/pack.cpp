@@ -44,6 +44,13 @@ Float3 packLobe(float roughness, Brdf brdf) {
     return {};
 }
 
+// The level is 2 log2(roughness) + 8 - kSpecularSharpening (1 - N.V) (1 - roughness).
+Float3 packSpecularLobe(float roughness) {
+    const float sharpening = kSpecularSharpening * (1 - roughness);
+    const float level = 2 * std::log2(std::max(roughness, kMinRoughness)) + kSpecularLevels - 1;
+    return {roughness, sharpening, level - sharpening};
+}
+
 // glTF mixes a dielectric and a metal; the seed takes one F0 for both, so that the specular layer takes its
 // share from the base colour's channels.
 Float4 packReflectance(float metallic, Brdf brdf) {
@@ -63,6 +70,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
             .metallicRoughness = {factors.metallic, factors.roughness},
             .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
+            .specularLobe = packSpecularLobe(factors.roughness),
             .occlusion = {factors.occlusionStrength, 1 - factors.occlusionStrength},
             .emissive = scaled(factors.emissive, exposure),
             .normalScale = factors.normalScale,
@@ -120,6 +128,7 @@ constexpr Field kFields[] = {
     {Block::Frame, "uCameraPosition", offsetof(FrameBlock, cameraPosition)},
     {Block::Frame, "uClipToSky", offsetof(FrameBlock, clipToSky)},
     {Block::Frame, "uSkyRange", offsetof(FrameBlock, skyRange)},
+    {Block::Frame, "uSpecularRange", offsetof(FrameBlock, specularRange)},
     {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
     {Block::Lights, "uAmbient", offsetof(LightsBlock, ambient)},
     {Block::Lights, "uSky", offsetof(LightsBlock, sky)},
@@ -134,6 +143,7 @@ constexpr Field kFields[] = {
     {Block::Material, "uMetallicRoughness", offsetof(MaterialBlock, metallicRoughness)},
     {Block::Material, "uReflectance", offsetof(MaterialBlock, reflectance)},
     {Block::Material, "uLobe", offsetof(MaterialBlock, lobe)},
+    {Block::Material, "uSpecularLobe", offsetof(MaterialBlock, specularLobe)},
     {Block::Material, "uOcclusion", offsetof(MaterialBlock, occlusion)},
     {Block::Material, "uEmissive", offsetof(MaterialBlock, emissive)},
     {Block::Material, "uNormalScale", offsetof(MaterialBlock, normalScale)},

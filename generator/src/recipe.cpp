@@ -14,6 +14,7 @@ constexpr Stage kVertex = Stage::Vertex;
 constexpr Stage kFragment = Stage::Fragment;
 
 bool pixelLight(N n) { return n.direct && !n.vertexSuns; }
+bool eye(N n) { return (n.direct || n.mirror) && !n.vertexSuns && !n.fewSuns; }
 bool worldSuns(N n) { return n.vertexSuns && !n.tangentSpace; }
 bool frame(N n) { return n.normalMap && !n.tangentSpace; }
 bool packed(P p) { return p.metallicRoughness == MetallicRoughness::Packed; }
@@ -86,8 +87,9 @@ constexpr std::array kRecipe = {
     Row{kFragment, "root.vc4", [](P p, N n) { return roots(p, n) && p.target == Target::Vc4; }},
     Row{kFragment, "inverse_root", [](P p, N n) { return n.normal && p.target != Target::Vc4; }},
     Row{kFragment, "inverse_root.vc4", [](P p, N n) { return n.normal && p.target == Target::Vc4; }},
-    Row{kFragment, "inverse", [](P p, N n) { return n.direct && p.target != Target::Vc4; }},
-    Row{kFragment, "inverse.vc4", [](P p, N n) { return n.direct && p.target == Target::Vc4; }},
+    Row{kFragment, "inverse", [](P p, N n) { return (n.direct || n.mirror) && p.target != Target::Vc4; }},
+    Row{kFragment, "inverse.vc4",
+        [](P p, N n) { return (n.direct || n.mirror) && p.target == Target::Vc4; }},
     Row{kFragment, "base_factor", [](P p, N n) { return n.base && !p.baseColorTexture; }},
     Row{kFragment, "base_texture", [](P p, N n) { return n.base && p.baseColorTexture; }, Each::Once,
         &Permutation::baseColorUv},
@@ -149,11 +151,12 @@ constexpr std::array kRecipe = {
     Row{kFragment, "dark", [](P, N n) { return n.direct && !n.ambient; }},
     Row{kFragment, "ambient_color", [](P p, N n) { return n.ambient && p.ambient == Ambient::Color; }},
     Row{kFragment, "ambient_sky", skyLit},
+    Row{kFragment, "irradiance", [](P, N n) { return n.mirror; }},
     Row{kFragment, "sky_reflectance.factors", [](P p, N n) { return skyLit(p, n) && !n.textured; }},
     Row{kFragment, "sky_reflectance", [](P p, N n) { return skyLit(p, n) && n.textured; }},
-    Row{kFragment, "occlude", [](P, N n) { return n.ambient && n.occlusion; }},
-    Row{kFragment, "specular", [](P, N n) { return n.direct; }},
-    Row{kFragment, "eye", [](P, N n) { return pixelLight(n) && !n.fewSuns; }},
+    Row{kFragment, "occlude", [](P, N n) { return n.ambient && n.occlusion && !n.mirror; }},
+    Row{kFragment, "specular", [](P, N n) { return n.direct || n.mirror; }},
+    Row{kFragment, "eye", [](P, N n) { return eye(n); }},
     Row{kFragment, "eye.few", [](P p, N n) { return n.fewSuns && p.target != Target::Vc4; }},
     Row{kFragment, "eye.few.vc4", [](P p, N n) { return n.fewSuns && p.target == Target::Vc4; }},
     Row{kFragment, "angles", [](P, N n) { return pixelLight(n) && !n.fewSuns; }},
@@ -162,6 +165,11 @@ constexpr std::array kRecipe = {
     Row{kFragment, "sun_angles", [](P, N n) { return worldSuns(n); }},
     Row{kFragment, "sun_tangent_varyings", [](P, N n) { return n.tangentSpace; }, Each::Sun},
     Row{kFragment, "tangent_angles", [](P, N n) { return n.tangentSpace; }},
+    Row{kFragment, "eye_vertex", [](P, N n) { return n.mirror && n.vertexSuns; }},
+    Row{kFragment, "sky_atlas", [](P, N n) { return n.mirror; }},
+    Row{kFragment, "sky_specular.factors", [](P, N n) { return n.mirror && !n.textured; }},
+    Row{kFragment, "sky_specular", [](P, N n) { return n.mirror && n.textured; }},
+    Row{kFragment, "occlude.mirror", [](P, N n) { return n.mirror && n.occlusion; }},
     Row{kFragment, "sun", [](P, N n) { return pixelLight(n) && !n.fewSuns; }, Each::Sun},
     Row{kFragment, "sun.few", [](P p, N n) { return n.fewSuns && p.target != Target::Vc4; }, Each::Sun},
     Row{kFragment, "sun.few.vc4", [](P p, N n) { return n.fewSuns && p.target == Target::Vc4; }, Each::Sun},
@@ -173,8 +181,8 @@ constexpr std::array kRecipe = {
     Row{kFragment, "lamp_spot", [](P p, N n) { return n.direct && p.spots; }, Each::Lamp},
     Row{kFragment, "lamp_add", [](P, N n) { return n.direct; }, Each::Lamp},
 
-    Row{kFragment, "shade", [](P, N n) { return n.direct; }},
-    Row{kFragment, "shade_ambient", [](P, N n) { return n.ambient && !n.direct; }},
+    Row{kFragment, "shade", [](P, N n) { return n.direct || n.mirror; }},
+    Row{kFragment, "shade_ambient", [](P, N n) { return n.ambient && !n.direct && !n.mirror; }},
     Row{kFragment, "shade_unlit",
         [](P p, N n) {
             return unlit(p, n) || p.program == Program::Overlay || (n.material && p.view == View::BaseColor);
@@ -209,7 +217,7 @@ constexpr std::array kRecipe = {
         [](P p, N) { return p.program != Program::Sky && p.alpha == Alpha::Blend; }},
 };
 
-static_assert(kRecipe.size() <= std::bitset<128>().size());
+static_assert(kRecipe.size() <= std::bitset<192>().size());
 
 // The rows of the vertex shader stand first.
 constexpr std::size_t kVertexRows = static_cast<std::size_t>(

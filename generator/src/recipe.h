@@ -33,8 +33,8 @@ struct Step {
 
 /// What tells the plan of one stage from another's, quick to make and to compare.
 struct Outline {
-    std::bitset<128> rows;     ///< Those that apply.
-    std::bitset<128> readsUv1; ///< Those whose ${uv} stands for stream 1.
+    std::bitset<192> rows;     ///< Those that apply.
+    std::bitset<192> readsUv1; ///< Those whose ${uv} stands for stream 1.
     std::uint8_t suns, lamps;  ///< How often their rows repeat; 0 where there are none.
     friend bool operator==(const Outline&, const Outline&) = default;
 };

@@ -131,6 +131,7 @@ constexpr Contradiction kContradictions[] = {
     {"normal-uv1+sun1", "normal-uv1"},
     {"metalrough.occlusion-packed.occlusion-uv1+ambient", "occlusion-uv1"},
     {"emissive-factor.emissive-uv1", "emissive-uv1"},
+    {"mirror+ambient+sun1", "mirror"},
     {"spots+sun1", "spots"},
 };
 

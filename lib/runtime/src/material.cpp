@@ -199,6 +199,8 @@ Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& ligh
     if (plan.fine)
         permutation.lightVectors = look.lightVectors;
     permutation.ambient = lighting.ambient;
+    if (lighting.ambient == Ambient::Sky)
+        permutation.skySpecular = lighting.skySpecular;
     permutation.suns = static_cast<std::uint8_t>(lighting.suns.size());
     permutation.lamps = static_cast<std::uint8_t>(lighting.lamps.size());
     permutation.spots =

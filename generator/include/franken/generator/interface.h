@@ -66,7 +66,8 @@ struct Interface {
 int attributeLocation(std::string_view name);
 
 /// The texture unit of a sampler's role: base colour 0, normal 1, metallic-roughness (or metallic) 2,
-/// roughness 3, occlusion 4, emissive 5, sky 6, sky lookup 7. -1 for a name that is no sampler.
+/// roughness 3, occlusion 4, emissive 5, the sky (behind all, or as rough mirrors show it) 6, how much of it
+/// is mirrored 7. -1 for a name that is no sampler.
 int samplerUnit(std::string_view name);
 
 } // namespace franken

@@ -23,6 +23,14 @@ using Float16 = std::array<float, 16>; ///< A mat4, column by column.
 /// smoother surface has no size, and is not seen, as in glTF's own formulas.
 inline constexpr float kMinRoughness = 0.001f;
 
+/// The levels of the sky through lobes of rising width. Level i holds the roughness 2^((i - 8) / 2): 0.0625,
+/// 0.088 ... 0.707, 1; smoother surfaces show the first.
+inline constexpr int kSpecularLevels = 9;
+
+/// How much sharper than its roughness a surface shows the sky: by this times (1 - N.V) (1 - roughness)
+/// levels. A lobe that is seen at an angle is narrow across the plane of N and V.
+inline constexpr float kSpecularSharpening = 2.5f;
+
 /// A glTF material's numbers, as they stand in the file; colours linear.
 struct MaterialFactors {
     Float4 baseColor{1, 1, 1, 1};
@@ -39,10 +47,11 @@ struct MaterialFactors {
 struct MaterialBlock {
     Float4 baseColor;
     std::array<Float3, 3> baseColorCubic; ///< The fast decode's coefficients times the factor
-    Float2 metallicRoughness; ///< The factors, for textured materials.
-    Float4 reflectance;       ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base
-    Float3 lobe;              ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
-    Float2 occlusion;         ///< strength, 1 - strength
+    Float2 metallicRoughness;             ///< The factors, for textured materials.
+    Float4 reflectance;  ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base
+    Float3 lobe;         ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
+    Float3 specularLobe; ///< Roughness; the sky's level is the second times N.V, plus the third
+    Float2 occlusion;    ///< strength, 1 - strength
     Float3 emissive;
     float normalScale;
     float alphaCutoff;
@@ -98,6 +107,7 @@ struct FrameBlock {
     Float3 cameraPosition; ///< World space, m
     Float9 clipToSky;      ///< (x, y, 1) in clip space to a direction in the sky
     float skyRange;        ///< The largest radiance that a sky texel can hold, times the exposure
+    float specularRange;   ///< Likewise for the sky as rough mirrors show it
     Float3 dither;         ///< Amplitude per channel, in output units
 };
 

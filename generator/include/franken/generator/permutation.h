@@ -71,6 +71,13 @@ enum class Ambient : std::uint8_t {
     Sky,   ///< Irradiance of a sky, as nine spherical-harmonics coefficients.
 };
 
+/// What a surface shows of the sky besides its irradiance: the sky through the lobe of a mirror as rough as
+/// the surface, by glTF's BRDF whatever suns and lamps have. Needs Ambient::Sky.
+enum class SkySpecular : std::uint8_t {
+    None,   ///< Nothing: metals are black but for suns and lamps.
+    Lookup, ///< Prefiltered levels in one texture, and how much is reflected in another.
+};
+
 /// Where the vectors between surface, eye and suns are computed. Lamps are always per pixel.
 enum class LightVectors : std::uint8_t {
     PerPixel,  ///< Exact.
@@ -137,6 +144,7 @@ struct Permutation {
     Shading shading = Shading::Lit;
     Brdf brdf = Brdf::Gltf;
     Ambient ambient = Ambient::None;
+    SkySpecular skySpecular = SkySpecular::None;
     std::uint8_t suns = 0;  ///< Directional lights, 0 to kMaxLights.
     std::uint8_t lamps = 0; ///< Punctual lights with a position, 0 to kMaxLights.
     bool spots = false;     ///< Lamps have cones; a point light's is the whole sphere.

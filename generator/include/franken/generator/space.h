@@ -24,7 +24,7 @@ public:
     bool contains(const Permutation& permutation) const;
 
     /// The number of combinations of the values that are left, contradictions and no-ops included: about
-    /// 3.4e12 for the whole space.
+    /// 6.8e12 for the whole space.
     std::uint64_t product() const;
 
     /// Visits the canonical permutations in it, each once and always in the same order: short names first.

@@ -9,14 +9,17 @@
 
 namespace franken {
 
-/// What lights a picture. How many suns and lamps there are, whether one of them is a spot, and the kind of
-/// ambient light choose programs; all else are uniforms, free to change from frame to frame.
+/// What lights a picture. How many suns and lamps there are, whether one of them is a spot, the kind of
+/// ambient light and whether it is mirrored choose programs; all else are uniforms, free to change from frame
+/// to frame.
 struct Lighting {
     std::vector<Sun> suns;           ///< Up to Permutation::kMaxLights.
     std::vector<Lamp> lamps;         ///< Up to Permutation::kMaxLights.
     Ambient ambient = Ambient::None; ///< Which of the next two is used.
     Float3 ambientColor{0, 0, 0};    ///< Linear radiance, 0 and up.
     SkyCoefficients sky{};
+    /// Beside Ambient::Sky: whether surfaces mirror the sky that the renderer was given (Renderer::setSky).
+    SkySpecular skySpecular = SkySpecular::None;
     float exposure = 1; ///< Multiplies all light, that of emissive surfaces included; above 0.
 };
 

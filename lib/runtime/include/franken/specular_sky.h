@@ -21,17 +21,14 @@ namespace franken {
 /// Called now and then with the share that is done, 0 to 1, from the thread that called.
 using Progress = std::function<void(float)>;
 
-/// The levels of an atlas. Level i holds the roughness 2^((i - 8) / 2): 0.0625, 0.088 ... 0.707, 1;
-/// smoother surfaces show the first.
-inline constexpr int kSpecularLevels = 9;
-
 /// The edge of the sharpest level's squares: 256 shows a mirror image with 0.56 degrees a texel.
 inline constexpr int kSpecularSize = 256;
 inline constexpr int kMinSpecularSize = 256;
 inline constexpr int kMaxSpecularSize = 1024;
 
-/// The sky through lobes of rising width, as one picture for a 2D texture with linear filter, clamped to its
-/// edge and without mipmaps. Its texels are encoded as those of SkyCube.
+/// The sky through lobes of rising width (kSpecularLevels of them, in pack.h), as one picture for a 2D
+/// texture with linear filter, clamped to its edge and without mipmaps. Its texels are encoded as those of
+/// SkyCube.
 ///
 /// A direction d belongs to the square of the upper half (d.y >= 0) or to that of the lower half beside it,
 /// at the point (d.x, d.z) / (max(|d.x|, |d.z|) + |d.y|), each from -1 to 1, times kSpecularScale. The
@@ -51,13 +48,11 @@ SpecularAtlas filterSpecular(const Environment& sky, int size = kSpecularSize, c
 
 /// What a surface makes of that sky, for a 2D texture with linear filter, clamped to its edge. u is N.V, v
 /// the perceptual roughness. With F0 the reflectance at normal incidence and d = D (2 N.V N - V) + (1 - D) N:
-/// R and G: the light of a white sky that is reflected is F0 R + G, within 0.004 from
-/// N.V 0.02 and roughness 0.1 up, and within 0.011 below;
+/// R and G: the light of a white sky that is reflected is F0 R + G, within 0.004 from N.V 0.02 and roughness
+/// 0.1 up, and within 0.011 below;
 /// B: D, how little d is bent towards N; A: the share of the irradiance in that light. The level to look at
 /// is 2 log2(roughness) + 8 - kSpecularSharpening (1 - N.V) (1 - roughness), from 0 up.
 Image specularLookup();
-
-inline constexpr float kSpecularSharpening = 2.5f;
 
 /// The sky as a rough mirror that faces the eye shows it: a picture of the given layout and width (of a face
 /// for Layout::Cube), for programs that want levels of their own. roughness: 0.01 to 1.

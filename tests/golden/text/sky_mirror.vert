@@ -1,0 +1,23 @@
+#version 100
+// FrankenShader
+//   ambient: sh
+//   skySpecular: 1
+//
+// VERTEX SHADER
+//
+attribute vec3 aPosition;
+uniform mat4 uModelViewProjection; // object: model space to clip space
+attribute vec3 aNormal;
+uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
+varying vec3 vNormal;
+uniform mat4 uModel; // object: model space to world space
+uniform vec3 uCameraPosition; // frame: world space
+varying vec3 vToCamera;
+
+void main() {
+  gl_Position = uModelViewProjection * vec4(aPosition, 1.0);
+  vec3 normal = normalize(uNormalMatrix * aNormal);
+  vNormal = normal;
+  vec3 toCamera = uCameraPosition - (uModel * vec4(aPosition, 1.0)).xyz;
+  vToCamera = toCamera;
+}

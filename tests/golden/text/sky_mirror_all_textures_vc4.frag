@@ -1,0 +1,174 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   metallicRoughness: metalrough
+//   normal: 1
+//   occlusion: occlusion-packed
+//   emissive: emissive
+//   ambient: sh
+//   skySpecular: 1
+//   suns: sun2
+//   decode: decode-fast
+//   output: srgb-fast
+//   target: vc4
+//
+// FRAGMENT SHADER
+//
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+varying vec2 vUv0;
+varying vec3 vNormal;
+varying vec3 vToCamera;
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform vec3 uBaseColorCubic[3]; // material: coefficients of c^3, c^2 and c, times the factor
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+varying vec3 vTangent;
+varying vec3 vBitangent;
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+uniform vec2 uOcclusion; // material: strength, 1 - strength
+uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
+uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
+uniform float uSpecularRange; // frame: the largest radiance that a texel can hold, times the exposure
+uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, bend, irradiance's share
+uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+uniform vec3 uSun1Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
+uniform vec3 uEmissive; // material: linear radiance where the texture is white
+uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
+
+// A cubic through (0, 0) and (1, 1), fitted to the sRGB curve. c: codes, 0-1. Returns linear light, 0-1.
+vec3 decodeSrgb(vec3 c) {
+  return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
+}
+
+float root(float x) {
+  return exp2(0.50001 * log2(x));
+}
+
+float inverseRoot(float x) {
+  return exp2(-0.50001 * log2(x));
+}
+
+float inverse(float x) {
+  return exp2(-1.00001 * log2(x));
+}
+
+// texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
+vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
+  vec3 n = texel - 0.5;
+  n = tangent * n.x + bitangent * n.y + normal * n.z;
+  return n * inverseRoot(dot(n, n));
+}
+
+struct Surface {
+  float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
+  float metal; // metalness
+  float dielectric; // 0.04 (1 - metalness)
+  float slope; // 1 - alpha^2
+  vec2 smith; // coefficients of the shadowing, by BRDF
+  float gain; // what the shadowing's coefficients do not hold
+};
+
+// pi D V N.L. light: see lightAngles.
+float lobe(vec4 light, float nDotV, Surface surface) {
+  float width = light.z - light.y * surface.slope;
+  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
+  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+}
+
+// light: see lightAngles. radiance: irradiance / pi.
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+  float entering = light.x - light.x * light.w;
+  float mirror = lobe(light, nDotV, surface);
+  float rim = light.w * mirror;
+  float face = mirror - rim;
+  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
+  specular += radiance * (face * surface.dielectric + rim);
+}
+
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
+Surface makeSurface(float metallic, float roughness) {
+  float r = max(roughness, 0.001);
+  float alpha2 = r * r * r * r;
+  float slope = 1.0 - alpha2;
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
+}
+
+// n: unit, world space. Returns linear radiance of a white surface.
+vec3 skyLight(vec3 n) {
+  return uSky[0] + uSky[1] * n.y + uSky[2] * n.z + uSky[3] * n.x
+       + uSky[4] * (n.x * n.y) + uSky[5] * (n.y * n.z) + uSky[6] * (3.0 * n.z * n.z - 1.0)
+       + uSky[7] * (n.x * n.z) + uSky[8] * (n.x * n.x - n.y * n.y);
+}
+
+// All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
+vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
+  float nDotL = max(dot(normal, toLight), 0.0);
+  float nDotH = nDotL + nDotV;
+  float h2 = 2.0 * dot(toCamera, toLight) + 2.000002;
+  float x = 1.0 - root(0.25 * h2);
+  float x2 = x * x;
+  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+}
+
+// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
+vec2 skyPoint(vec3 d) {
+  vec3 a = abs(d);
+  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
+  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
+}
+
+// level: 0-8, of the roughness 2^((level - 8) / 2). Returns radiance over uSpecularRange.
+vec3 skyThroughLobe(vec3 d, float level) {
+  float blend = fract(level);
+  float size = exp2(-0.5 * floor(level));
+  vec2 point = skyPoint(d);
+  vec4 sharp = texture2D(uSpecularSky, point * size + vec2(0.0, 1.0462376));
+  vec4 rough = texture2D(uSpecularSky, point * (0.70710678 * size) + vec2(0.0, 1.0462376));
+  vec3 root = sharp.rgb * (sharp.a - sharp.a * blend) + rough.rgb * (rough.a * blend);
+  return root * root;
+}
+
+// The power part of the sRGB curve alone: below code 10 it is too dark. c: linear light, 0 and up.
+vec3 encodeDisplay(vec3 c) {
+  return 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+}
+
+void main() {
+  vec4 base = texture2D(uBaseColorTexture, vUv0);
+  base.rgb = base.rgb * (base.rgb * (base.rgb * uBaseColorCubic[0] + uBaseColorCubic[1]) + uBaseColorCubic[2]);
+  vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
+  vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
+  float metallic = orm.b * uMetallicRoughness.x;
+  float roughness = orm.g * uMetallicRoughness.y;
+  float occlusion = orm.r * uOcclusion.x + uOcclusion.y;
+  Surface surface = makeSurface(metallic, roughness);
+  vec3 diffuse = max(skyLight(normal), 0.0);
+  vec3 irradiance = diffuse;
+  diffuse *= 0.96 - 0.96 * metallic;
+  vec3 specular = vec3(0.0);
+  vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
+  float nDotV = max(dot(normal, toCamera), 1.0e-4);
+  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
+  vec3 toSky = normal * ((2.0 * nDotV - 1.0) * look.b + 1.0) - toCamera * look.b;
+  float level = max(2.0 * log2(max(roughness, 0.001)) + (nDotV - 1.0) * (2.5 - 2.5 * roughness) + 8.0, 0.0);
+  vec3 mirrored = mix(skyThroughLobe(toSky, level) * uSpecularRange, irradiance, look.a);
+  diffuse += mirrored * (look.r * metallic);
+  specular += mirrored * (look.r * (0.04 - 0.04 * metallic) + look.g);
+  diffuse *= occlusion;
+  specular *= occlusion;
+  vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
+  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
+  vec4 anglesSun1 = lightAngles(normal, nDotV, toCamera, uSun1Direction);
+  addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
+  vec3 color = base.rgb * diffuse + specular;
+  color += uEmissive * decodeSrgb(texture2D(uEmissiveTexture, vUv0).rgb);
+  color = encodeDisplay(color);
+  gl_FragColor = vec4(color, 1.0);
+}

@@ -1,0 +1,37 @@
+#version 100
+// FrankenShader
+//   normal: 1
+//   suns: sun2
+//
+// VERTEX SHADER
+//
+attribute vec3 aPosition;
+uniform mat4 uModelViewProjection; // object: model space to clip space
+attribute vec2 aUv0;
+varying vec2 vUv0;
+attribute vec3 aNormal;
+uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
+varying vec3 vNormal;
+uniform mat4 uModel; // object: model space to world space
+uniform vec3 uCameraPosition; // frame: world space
+varying vec3 vToCamera;
+attribute vec4 aTangent; // xyz: direction of +U; w: +1 or -1, the bitangent's side
+uniform float uNormalScale; // material: glTF's normalTexture.scale
+varying vec3 vTangent;
+varying vec3 vBitangent;
+
+vec3 safeNormalize(vec3 v) {
+  return v * inversesqrt(max(dot(v, v), 1.0e-12));
+}
+
+void main() {
+  gl_Position = uModelViewProjection * vec4(aPosition, 1.0);
+  vUv0 = aUv0;
+  vec3 normal = normalize(uNormalMatrix * aNormal);
+  vNormal = normal;
+  vec3 toCamera = uCameraPosition - (uModel * vec4(aPosition, 1.0)).xyz;
+  vToCamera = toCamera;
+  vec3 tangent = safeNormalize((uModel * vec4(aTangent.xyz, 0.0)).xyz);
+  vTangent = tangent * uNormalScale;
+  vBitangent = cross(normal, tangent) * (aTangent.w * uNormalScale);
+}

@@ -1,0 +1,163 @@
+#version 100
+// FrankenShader
+//   baseColorTexture: 1
+//   normal: 1
+//   occlusion: occlusion
+//   ambient: sh
+//   skySpecular: 1
+//   suns: sun2
+//   lightVectors: 1
+//
+// FRAGMENT SHADER
+//
+#ifdef GL_FRAGMENT_PRECISION_HIGH
+precision highp float;
+#else
+precision mediump float;
+#endif
+varying vec2 vUv0;
+varying vec3 vNormal;
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+varying vec3 vTangent;
+varying vec3 vBitangent;
+uniform sampler2D uOcclusionTexture; // material: R, linear
+uniform vec2 uOcclusion; // material: strength, 1 - strength
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
+varying vec3 vToCamera;
+varying vec4 vVDotL;
+varying vec4 vFresnel;
+uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
+uniform float uSpecularRange; // frame: the largest radiance that a texel can hold, times the exposure
+uniform vec3 uSpecularLobe; // material: roughness; the level over N.V, and at 0
+uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, bend, irradiance's share
+uniform mediump vec3 uSun0Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+uniform mediump vec3 uSun1Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
+
+// The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
+vec3 decodeSrgb(vec3 c) {
+  vec3 low = c * (1.0 / 12.92);
+  vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
+  return mix(high, low, step(c, vec3(0.04045)));
+}
+
+float root(float x) {
+  return sqrt(x);
+}
+
+float inverseRoot(float x) {
+  return inversesqrt(x);
+}
+
+float inverse(float x) {
+  return 1.0 / x;
+}
+
+// texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
+vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
+  vec3 n = texel - 0.5;
+  n = tangent * n.x + bitangent * n.y + normal * n.z;
+  return n * inverseRoot(dot(n, n));
+}
+
+struct Surface {
+  float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
+  float metal; // metalness
+  float dielectric; // 0.04 (1 - metalness)
+  float slope; // 1 - alpha^2
+  vec2 smith; // coefficients of the shadowing, by BRDF
+  float gain; // what the shadowing's coefficients do not hold
+};
+
+// pi D V N.L. light: see lightAngles.
+float lobe(vec4 light, float nDotV, Surface surface) {
+  float width = light.z - light.y * surface.slope;
+  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
+  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+}
+
+// light: see lightAngles. radiance: irradiance / pi.
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+  float entering = light.x - light.x * light.w;
+  float mirror = lobe(light, nDotV, surface);
+  float rim = light.w * mirror;
+  float face = mirror - rim;
+  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
+  specular += radiance * (face * surface.dielectric + rim);
+}
+
+// n: unit, world space. Returns linear radiance of a white surface.
+vec3 skyLight(vec3 n) {
+  return uSky[0] + uSky[1] * n.y + uSky[2] * n.z + uSky[3] * n.x
+       + uSky[4] * (n.x * n.y) + uSky[5] * (n.y * n.z) + uSky[6] * (3.0 * n.z * n.z - 1.0)
+       + uSky[7] * (n.x * n.z) + uSky[8] * (n.x * n.x - n.y * n.y);
+}
+
+// lightAngles of a light whose V.L and Fresnel term are given. reach: 1 + |V|^2, as V shrinks between vertices.
+vec4 lightAngles(vec3 normal, float nDotV, float reach, vec3 toLight, float vDotL, float fresnel) {
+  float nDotL = max(dot(normal, toLight), 0.0);
+  float nDotH = nDotL + nDotV;
+  return vec4(nDotL, nDotH * nDotH, 2.0 * vDotL + reach, fresnel);
+}
+
+// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
+vec2 skyPoint(vec3 d) {
+  vec3 a = abs(d);
+  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
+  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
+}
+
+// level: 0-8, of the roughness 2^((level - 8) / 2). Returns radiance over uSpecularRange.
+vec3 skyThroughLobe(vec3 d, float level) {
+  float blend = fract(level);
+  float size = exp2(-0.5 * floor(level));
+  vec2 point = skyPoint(d);
+  vec4 sharp = texture2D(uSpecularSky, point * size + vec2(0.0, 1.0462376));
+  vec4 rough = texture2D(uSpecularSky, point * (0.70710678 * size) + vec2(0.0, 1.0462376));
+  vec3 root = sharp.rgb * (sharp.a - sharp.a * blend) + rough.rgb * (rough.a * blend);
+  return root * root;
+}
+
+// The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
+vec3 encodeDisplay(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+  return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
+}
+
+void main() {
+  vec4 base = texture2D(uBaseColorTexture, vUv0);
+  base.rgb = decodeSrgb(base.rgb);
+  base *= uBaseColor;
+  vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
+  float occlusion = texture2D(uOcclusionTexture, vUv0).r * uOcclusion.x + uOcclusion.y;
+  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  vec3 diffuse = max(skyLight(normal), 0.0);
+  vec3 irradiance = diffuse;
+  diffuse *= uReflectance.x;
+  vec3 specular = vec3(0.0);
+  float reach = dot(vToCamera, vToCamera) + 1.000002;
+  float nDotV = max(dot(normal, vToCamera), 1.0e-4);
+  vec3 toCamera = vToCamera;
+  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, uSpecularLobe.x));
+  vec3 toSky = normal * ((2.0 * nDotV - 1.0) * look.b + 1.0) - toCamera * look.b;
+  float level = max(nDotV * uSpecularLobe.y + uSpecularLobe.z, 0.0);
+  vec3 mirrored = mix(skyThroughLobe(toSky, level) * uSpecularRange, irradiance, look.a);
+  diffuse += mirrored * (look.r * uReflectance.y);
+  specular += mirrored * (look.r * uReflectance.z + look.g);
+  diffuse *= occlusion;
+  specular *= occlusion;
+  vec4 anglesSun0 = lightAngles(normal, nDotV, reach, uSun0Direction, vVDotL.x, vFresnel.x);
+  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
+  vec4 anglesSun1 = lightAngles(normal, nDotV, reach, uSun1Direction, vVDotL.y, vFresnel.y);
+  addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
+  vec3 color = base.rgb * diffuse + specular;
+  color = encodeDisplay(color);
+  gl_FragColor = vec4(color, 1.0);
+}
