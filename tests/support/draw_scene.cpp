@@ -26,6 +26,7 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot) 
     Renderer renderer(gl, [](LogLevel, std::string_view message) { std::cout << message << "\n"; });
     EXPECT_TRUE(renderer.load(shot.scene));
     EXPECT_TRUE(renderer.setBackdrop(shot.backdrop ? &*shot.backdrop : nullptr));
+    EXPECT_TRUE(renderer.setMirror(shot.mirror ? &*shot.mirror : nullptr));
     renderer.setLighting(shot.lighting);
     renderer.setLook(shot.look);
     const Result<void> drawn = renderer.draw(viewpointOf(shot.camera, static_cast<double>(width) / height),

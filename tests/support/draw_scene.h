@@ -17,6 +17,7 @@ struct Shot {
     Lighting lighting;
     Look look = {};
     std::optional<SkyCube> backdrop = {};
+    std::optional<SkyMirror> mirror = {};
     Float3 background{0, 0, 0};
 };
 

@@ -13,7 +13,7 @@ bool sameShape(const Lighting& a, const Lighting& b) {
                            [](const Lamp& lamp) { return lamp.spot; });
     };
     return a.suns.size() == b.suns.size() && a.lamps.size() == b.lamps.size() && spots(a) == spots(b) &&
-           a.ambient == b.ambient && a.exposure == b.exposure;
+           a.ambient == b.ambient && a.skySpecular == b.skySpecular && a.exposure == b.exposure;
 }
 
 } // namespace

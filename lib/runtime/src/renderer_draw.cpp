@@ -51,6 +51,7 @@ void Renderer::State::updateBlocks(const Viewpoint& viewpoint, const DrawTarget&
     values.cameraPosition = toFloat3(viewpoint.eye);
     round(values.clipToSky, viewpoint.clipToSky);
     values.skyRange = skyRange * lighting.exposure;
+    values.specularRange = mirror.range * lighting.exposure;
     values.dither = packDither(target.bits);
     lights.edit() = packLighting(lighting, toFloat3(viewpoint.eye));
     for (Drawable& drawable : scene.drawables)
@@ -79,6 +80,7 @@ void Renderer::State::beginFrame(const DrawTarget& target) {
     for (GLuint location = 0; location < kAttributes; ++location)
         gl.DisableVertexAttribArray(location);
     enabledAttributes = 0;
+    bindMirror(gl, mirror);
     gl.ClearColor(target.background[0], target.background[1], target.background[2], 1);
     gl.ClearDepthf(1);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -99,6 +101,8 @@ void Renderer::State::drawOne(const Drawable& drawable) {
     const GpuMaterial& material = scene.materials[drawable.material];
     use(*material.program, {frame.view(), lights.view(), material.block.view(), drawable.block.view()});
     for (const Sampler& sampler : material.program->interface().samplers) {
+        if (static_cast<std::size_t>(sampler.unit) >= kMaterialUnits)
+            continue; // The sky's, bound for the whole frame.
         gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(sampler.unit));
         gl.BindTexture(GL_TEXTURE_2D, material.textures[static_cast<std::size_t>(sampler.unit)]);
     }

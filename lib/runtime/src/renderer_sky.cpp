@@ -25,6 +25,18 @@ Result<void> Renderer::State::uploadBackdrop(const SkyCube& cube) {
     return checkMemory(gl);
 }
 
+Result<void> Renderer::setMirror(const SkyMirror* mirror) {
+    State& state = *m_state;
+    state.mirror = GpuMirror(state.gl);
+    if (mirror == nullptr)
+        return {};
+    Result<GpuMirror> uploaded = uploadMirror(state.gl, *mirror, state.capabilities);
+    if (!uploaded)
+        return uploaded.error();
+    state.mirror = *std::move(uploaded);
+    return checkMemory(state.gl);
+}
+
 void Renderer::State::drawBackdrop() {
     use(*skyProgram, {frame.view(), lights.view(), {}, {}});
     gl.ActiveTexture(GL_TEXTURE0 + kSkyUnit);

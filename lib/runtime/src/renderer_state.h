@@ -3,6 +3,7 @@
 
 #include "franken/renderer.h"
 #include "gpu_scene.h"
+#include "gpu_sky.h"
 
 namespace franken {
 
@@ -13,7 +14,7 @@ Result<void> checkMemory(const Gl& gl);
 /// renderer_draw.cpp, renderer_sky.cpp.
 struct Renderer::State {
     State(const Gl& table, const Capabilities& found, Log log_)
-        : gl(table), capabilities(found), log(std::move(log_)), cache(gl), defaults(gl) {}
+        : gl(table), capabilities(found), log(std::move(log_)), cache(gl), defaults(gl), mirror(gl) {}
 
     Result<void> resolvePrograms();
     Result<void> resolveMaterial(GpuMaterial& material);
@@ -32,6 +33,7 @@ struct Renderer::State {
     const Log log;
     ProgramCache cache;
     DefaultTextures defaults;
+    GpuMirror mirror;
 
     GpuScene scene;
     std::vector<std::size_t> opaque, blended; ///< Indices of drawables.

@@ -9,6 +9,7 @@
 #include "franken/material.h"
 #include "franken/program_cache.h"
 #include "franken/scene.h"
+#include "franken/specular_sky.h"
 #include "franken/viewpoint.h"
 
 #include <array>
@@ -42,6 +43,11 @@ public:
 
     /// Shows a sky behind the scene, or none (null). It lights nothing: that is Lighting's matter.
     Result<void> setBackdrop(const SkyCube* cube);
+
+    /// Takes what rough mirrors show of a sky, or nothing (null). Seen where Lighting::skySpecular asks for
+    /// it; surfaces reflect no sky then while there is none here. Fails with "renderer.sky" where the atlas
+    /// is larger than the GPU's textures, and with "renderer.memory".
+    Result<void> setMirror(const SkyMirror* mirror);
 
     /// Free to change from frame to frame. New counts of lights, another kind of ambient light, and any other
     /// look need other programs, which the next frame or prepare() makes.

@@ -54,6 +54,12 @@ SpecularAtlas filterSpecular(const Environment& sky, int size = kSpecularSize, c
 /// is 2 log2(roughness) + 8 - kSpecularSharpening (1 - N.V) (1 - roughness), from 0 up.
 Image specularLookup();
 
+/// Both textures: what Renderer::setMirror() takes.
+struct SkyMirror {
+    SpecularAtlas atlas;
+    Image lookup;
+};
+
 /// The sky as a rough mirror that faces the eye shows it: a picture of the given layout and width (of a face
 /// for Layout::Cube), for programs that want levels of their own. roughness: 0.01 to 1.
 Environment filterSky(const Environment& sky, float roughness, Environment::Layout layout, int width);

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// What the renderer makes of a sky alone, against brute force and against the Khronos sample viewer.
+#include "support/draw_scene.h"
+#include "support/shapes.h"
+
+#include <glm/ext/matrix_transform.hpp>
+
+#include <cmath>
+#include <iostream>
+
+namespace franken::test {
+namespace {
+
+constexpr int kSize = 256;
+constexpr double kTanHalfFov = 0.36397023426620234; // Of 20 degrees.
+
+/// The venice sky with all that is made of it, once for all tests.
+struct Sky {
+    SkyCoefficients coefficients;
+    SkyMirror mirror;
+};
+
+const Sky* venice() {
+    static const std::optional<Sky> sky = []() -> std::optional<Sky> {
+        const std::filesystem::path file = findShared("assets/env/venice.hdr");
+        const Result<Environment> loaded =
+            file.empty() ? Error{"test.missing", "", "", ""} : loadEnvironment(file);
+        if (!loaded)
+            return std::nullopt;
+        return Sky{skyCoefficients(*loaded), {filterSpecular(*loaded), specularLookup()}};
+    }();
+    return sky ? &*sky : nullptr;
+}
+
+void lightBy(const Sky& sky, Shot& shot) {
+    shot.lighting.ambient = Ambient::Sky;
+    shot.lighting.sky = sky.coefficients;
+    shot.lighting.skySpecular = SkySpecular::Lookup;
+    shot.mirror = sky.mirror;
+}
+
+/// A unit sphere before a camera at (0, 0, 4) that looks along -Z.
+Shot sphereOf(const glm::vec3& base, float metallic, float roughness) {
+    SceneBuilder builder;
+    Material material;
+    material.baseColor = glm::vec4(base, 1);
+    material.metallic = metallic;
+    material.roughness = roughness;
+    builder.add(sphere(256), builder.addMaterial(material));
+    Shot shot{.scene = builder.scene, .camera = {}, .lighting = {}};
+    shot.camera.world = glm::translate(glm::mat4(1), glm::vec3(0, 0, 4));
+    shot.camera.yfov = 0.69813170f;
+    return shot;
+}
+
+/// Whether the pixel's centre sees the sphere at an angle that is not grazing (N.V above 0.05).
+bool facesCamera(int x, int y) {
+    const double s = (2 * (x + 0.5) / kSize - 1) * kTanHalfFov;
+    const double t = (1 - 2 * (y + 0.5) / kSize) * kTanHalfFov;
+    const glm::dvec3 ray = glm::normalize(glm::dvec3(s, t, -1)), eye(0, 0, 4);
+    const double b = glm::dot(eye, ray), root = b * b - 15;
+    return root >= 0 && std::sqrt(root) > 0.05;
+}
+
+class SkySpheres : public PictureTest {
+protected:
+    SkySpheres() : PictureTest({kSize, kSize}) {}
+
+    /// Draws a sphere, which may be so many codes off in the mean.
+    void expectNear(const Shot& shot, const std::string& reference, double codes) {
+        const Picture actual = draw(shot);
+        const Picture expected = readPicture(findShared("reference/sky/" + reference + ".numpy.png"));
+        const Difference difference = compare(actual, expected, facesCamera);
+        std::cout << reference << ": " << difference << "\n";
+        EXPECT_GT(difference.pixels, 20'000u);
+        EXPECT_LE(difference.mean, codes) << writeDifference(
+            "sky_" + reference + "." + std::string(toString(GetParam())), actual, expected);
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, SkySpheres, allBackends(), backendName);
+
+/// Half of what the split sum of the Khronos viewer leaves there: 4.13, 5.90, 9.54 and 13.2 codes.
+TEST_P(SkySpheres, MetalsAreHalfAsFarOffAsTheSplitSum) {
+    const Sky* sky = venice();
+    if (sky == nullptr || findShared("reference/sky").empty())
+        GTEST_SKIP() << "needs ../shared/reference/sky and ../shared/assets/env beside the sources";
+    const std::pair<const char*, double> rows[] = {
+        {"metal_r0.1", 4.13}, {"metal_r0.4", 5.90}, {"metal_r0.6", 9.54}, {"metal_r1.0", 13.2}};
+    for (const auto& [name, splitSum] : rows) {
+        Shot shot = sphereOf({0.9f, 0.5f, 0.2f}, 1, std::stof(std::string(name).substr(7)));
+        lightBy(*sky, shot);
+        expectNear(shot, name, 0.5 * splitSum);
+    }
+}
+
+/// The split sum leaves 1.6 codes on the dielectric.
+TEST_P(SkySpheres, OthersAreAsTheyShouldBe) {
+    const Sky* sky = venice();
+    if (sky == nullptr || findShared("reference/sky").empty())
+        GTEST_SKIP() << "needs ../shared/reference/sky and ../shared/assets/env beside the sources";
+    Shot dielectric = sphereOf({0.9f, 0.5f, 0.2f}, 0, 0.2f);
+    lightBy(*sky, dielectric);
+    expectNear(dielectric, "dielectric_r0.2", 1.6);
+
+    // An albedo of 0.8: what a dielectric scatters is 0.96 of its base colour.
+    Shot lambert = sphereOf(glm::vec3(0.8f / 0.96f), 0, 1);
+    lightBy(*sky, lambert);
+    lambert.lighting.skySpecular = SkySpecular::None;
+    expectNear(lambert, "lambert0.8", 2);
+
+    // The sharpest level holds roughness 0.0625 in texels of half a degree.
+    Shot mirror = sphereOf(glm::vec3(1), 1, 0);
+    lightBy(*sky, mirror);
+    expectNear(mirror, "mirror", 4);
+}
+
+} // namespace
+} // namespace franken::test
