@@ -5,15 +5,20 @@
 #include "recipe.h"
 
 #include <optional>
+#include <utility>
 
 namespace franken {
 namespace {
 
-// Resets, in the order of the table and until nothing changes, every choice without which `outlineOf` gives
-// the same. `drop` hears of each.
-template<typename OutlineOf, typename Drop>
-Permutation reduce(Permutation permutation, OutlineOf outlineOf, Drop drop) {
-    const auto wanted = outlineOf(permutation);
+using Outlines = std::pair<Outline, Outline>;
+
+Outlines outlines(const Permutation& p) { return {outline(p, Stage::Vertex), outline(p, Stage::Fragment)}; }
+
+// Resets, in the order of the table and until nothing changes, every choice that leaves the recipe's outcome
+// alone. `drop` hears of each.
+template<typename Drop>
+Permutation reduce(Permutation permutation, Drop drop) {
+    const Outlines wanted = outlines(permutation);
     for (bool changed = true; changed;) {
         changed = false;
         for (const Choice& choice : choices()) {
@@ -22,7 +27,7 @@ Permutation reduce(Permutation permutation, OutlineOf outlineOf, Drop drop) {
                 continue;
             Permutation without = permutation;
             choice.set(without, 0);
-            if (outlineOf(without) != wanted)
+            if (outlines(without) != wanted)
                 continue;
             drop(choice, value);
             permutation = without;
@@ -140,24 +145,25 @@ Result<Canonical> canonicalise(const Permutation& permutation) {
         return *error;
     Canonical canonical{permutation, {}};
     unifyViews(canonical);
-    canonical.permutation = reduce(
-        canonical.permutation,
-        [](const Permutation& p) {
-            return std::pair(outline(p, Stage::Vertex), outline(p, Stage::Fragment));
-        },
-        [&](const Choice& choice, unsigned value) {
-            canonical.dropped.push_back(
-                {std::string(choice.options[value].word), reasonFor(permutation, choice)});
-        });
+    canonical.permutation = reduce(canonical.permutation, [&](const Choice& choice, unsigned value) {
+        canonical.dropped.push_back(
+            {std::string(choice.options[value].word), reasonFor(permutation, choice)});
+    });
     return canonical;
 }
 
-Permutation withoutNoOps(const Permutation& permutation, Stage stage) {
-    return reduce(
-        permutation, [stage](const Permutation& p) { return outline(p, stage); },
-        [](const Choice&, unsigned) {});
+Permutation fragmentChoices(const Permutation& permutation) {
+    Permutation choices = permutation;
+    choices.uv0Transform = choices.uv1Transform = false;
+    return choices;
 }
 
-Key stageKey(const Permutation& permutation, Stage stage) { return toKey(withoutNoOps(permutation, stage)); }
+Key stageKey(const Permutation& permutation, Stage stage) {
+    if (stage == Stage::Fragment)
+        return toKey(fragmentChoices(permutation));
+    constexpr unsigned kSunsShift = 56;
+    const Outline vertex = outline(permutation, Stage::Vertex);
+    return Key{vertex.rows.to_ullong()} | Key{vertex.suns} << kSunsShift;
+}
 
 } // namespace franken

@@ -5,7 +5,7 @@
 
 namespace franken {
 
-/// The permutation with every choice reset that leaves the plan of that stage as it is.
-Permutation withoutNoOps(const Permutation& permutation, Stage stage);
+/// A canonical permutation without the choices that the vertex shader alone reads.
+Permutation fragmentChoices(const Permutation& permutation);
 
 } // namespace franken

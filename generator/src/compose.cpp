@@ -45,15 +45,37 @@ private:
     ComposedStage& m_stage;
 };
 
-// The flags that are on, one a line: "//   normal: 1", "//   brdf: seed".
-void writeHeader(Writer& writer, const Permutation& permutation, Stage stage) {
+void writeFlag(Writer& writer, std::string_view name, std::string_view value) {
+    writer.own({"//   ", name, ": ", value});
+}
+
+// What a vertex shader does, one snippet a line: "//   normal: 1", "//   sun_tangent: 2". Not the choices
+// that brought it: many programs share one vertex shader.
+void writeVertexFlags(Writer& writer, const std::vector<Step>& steps) {
+    static constexpr std::string_view kTimes[] = {"0", "1", "2", "3", "4"};
+    static_assert(std::size(kTimes) == Permutation::kMaxLights + 1);
+    for (const Step& step : steps)
+        if (step.light == 0)
+            writeFlag(writer, recipe()[step.row].snippet,
+                      kTimes[std::count_if(steps.begin(), steps.end(),
+                                           [&](const Step& other) { return other.row == step.row; })]);
+}
+
+// The choices that are not the default, one a line: "//   normal: 1", "//   brdf: seed".
+void writeFragmentFlags(Writer& writer, const Permutation& permutation) {
+    for (const Choice& choice : choices())
+        if (const unsigned value = choice.get(permutation); value != 0)
+            writeFlag(writer, choice.name, choice.options.size() == 2 ? "1" : choice.options[value].word);
+}
+
+void writeHeader(Writer& writer, const Permutation& permutation, Stage stage,
+                 const std::vector<Step>& steps) {
     writer.own("#version 100");
     writer.own("// FrankenShader");
-    for (const Choice& choice : choices())
-        if (const unsigned value = choice.get(permutation); value != 0) {
-            const bool flag = choice.options.size() == 2;
-            writer.own({"//   ", choice.name, ": ", flag ? "1" : choice.options[value].word});
-        }
+    if (stage == Stage::Vertex)
+        writeVertexFlags(writer, steps);
+    else
+        writeFragmentFlags(writer, fragmentChoices(permutation));
     writer.own("//");
     writer.own(stage == Stage::Vertex ? "// VERTEX SHADER" : "// FRAGMENT SHADER");
     writer.own("//");
@@ -84,7 +106,7 @@ void composeStage(const Permutation& permutation, Stage stage, ComposedStage& ou
     for (const Step& step : steps)
         parts.push_back(&partOf(step));
     Writer writer(out);
-    writeHeader(writer, withoutNoOps(permutation, stage), stage);
+    writeHeader(writer, permutation, stage, steps);
     writer.section(parts, &Part::declarations);
     writer.section(parts, &Part::functions, "");
     writer.own("");

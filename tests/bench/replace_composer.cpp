@@ -61,22 +61,34 @@ void insertBefore(std::string& text, std::string_view marker, const std::string&
     replaceAll(text, marker, piece.append(marker));
 }
 
-void insertFlags(std::string& text, const Permutation& permutation) {
+void insertFlag(std::string& text, std::string_view name, std::string_view value) {
+    std::string line = "//   ";
+    line.append(name).append(": ").append(value).append("\n").append(kFlags);
+    replaceAll(text, kFlags, line);
+}
+
+void insertVertexFlags(std::string& text, const std::vector<Step>& steps) {
+    std::map<std::uint8_t, int> times;
+    for (const Step& step : steps)
+        ++times[step.row];
+    for (const auto& [row, count] : times)
+        insertFlag(text, recipe()[row].snippet, std::to_string(count));
+}
+
+void insertFragmentFlags(std::string& text, const Permutation& permutation) {
     for (const Choice& choice : choices())
-        if (const unsigned value = choice.get(permutation); value != 0) {
-            const bool flag = choice.options.size() == 2;
-            std::string line = "//   ";
-            line.append(choice.name).append(": ").append(flag ? "1" : choice.options[value].word);
-            replaceAll(text, kFlags, line.append("\n").append(kFlags));
-        }
+        if (const unsigned value = choice.get(permutation); value != 0)
+            insertFlag(text, choice.name, choice.options.size() == 2 ? "1" : choice.options[value].word);
 }
 
 std::string composeStage(const Permutation& permutation, Stage stage) {
     std::string text = "#version 100\n// FrankenShader\nFLAGS//\n// NAME SHADER\n//\n"
                        "VARIABLESFUNCTIONS\nvoid main() {\nSHADER_CODE}\n";
     replaceAll(text, "NAME", stage == Stage::Vertex ? "VERTEX" : "FRAGMENT");
-    insertFlags(text, withoutNoOps(permutation, stage));
-    for (const Step& step : plan(permutation, stage)) {
+    const std::vector<Step> steps = plan(permutation, stage);
+    stage == Stage::Vertex ? insertVertexFlags(text, steps)
+                           : insertFragmentFlags(text, fragmentChoices(permutation));
+    for (const Step& step : steps) {
         const Sections& section = sections()[step.row];
         insertBefore(text, kDeclarations, section.declarations, step);
         insertBefore(text, kFunctions, section.functions, step);

@@ -1,7 +1,7 @@
 #version 100
 // FrankenShader
-//   occlusion: occlusion
-//   ambient: ambient
+//   position: 1
+//   uv0: 1
 //
 // VERTEX SHADER
 //

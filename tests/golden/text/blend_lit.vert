@@ -1,8 +1,12 @@
 #version 100
 // FrankenShader
-//   baseColorTexture: 1
-//   vertexColor: 1
-//   suns: sun1
+//   position: 1
+//   uv0: 1
+//   color: 1
+//   normal: 1
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
 //
 // VERTEX SHADER
 //

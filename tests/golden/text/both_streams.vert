@@ -1,11 +1,14 @@
 #version 100
 // FrankenShader
+//   position: 1
+//   uv0_transform: 1
+//   uv1_transform: 1
 //   normal: 1
-//   emissive: emissive
-//   normalUv: 1
-//   uv0Transform: 1
-//   uv1Transform: 1
-//   suns: sun1
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
+//   tangent: 1
+//   tangent_varying: 1
 //
 // VERTEX SHADER
 //

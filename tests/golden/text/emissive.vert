@@ -1,8 +1,7 @@
 #version 100
 // FrankenShader
-//   emissive: emissive
-//   emissiveUv: 1
-//   uv1Transform: 1
+//   position: 1
+//   uv1_transform: 1
 //
 // VERTEX SHADER
 //

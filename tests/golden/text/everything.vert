@@ -1,8 +1,14 @@
 #version 100
 // FrankenShader
-//   vertexColor: 1
+//   position: 1
+//   uv0: 1
+//   color: 1
 //   normal: 1
-//   lamps: lamp2
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
+//   tangent: 1
+//   tangent_varying: 1
 //
 // VERTEX SHADER
 //

@@ -1,7 +1,7 @@
 #version 100
 // FrankenShader
-//   baseColorTexture: 1
-//   alpha: mask
+//   position: 1
+//   uv0: 1
 //
 // VERTEX SHADER
 //

@@ -1,7 +1,7 @@
 #version 100
 // FrankenShader
-//   program: overlay
-//   baseColorTexture: 1
+//   overlay: 1
+//   uv0: 1
 //
 // VERTEX SHADER
 //

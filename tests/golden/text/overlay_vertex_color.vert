@@ -1,7 +1,7 @@
 #version 100
 // FrankenShader
-//   program: overlay
-//   vertexColor: 1
+//   overlay: 1
+//   color: 1
 //
 // VERTEX SHADER
 //

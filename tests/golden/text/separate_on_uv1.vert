@@ -1,9 +1,11 @@
 #version 100
 // FrankenShader
-//   metallicRoughness: metalrough-separate
-//   metallicRoughnessUv: 1
-//   uv1Transform: 1
-//   suns: sun1
+//   position: 1
+//   uv1_transform: 1
+//   normal: 1
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
 //
 // VERTEX SHADER
 //

@@ -1,6 +1,6 @@
 #version 100
 // FrankenShader
-//   program: sky
+//   sky: 1
 //
 // VERTEX SHADER
 //

@@ -1,7 +1,9 @@
 #version 100
 // FrankenShader
-//   baseColorTexture: 1
-//   ambient: sh
+//   position: 1
+//   uv0: 1
+//   normal: 1
+//   normal_varying: 1
 //
 // VERTEX SHADER
 //

@@ -1,8 +1,11 @@
 #version 100
 // FrankenShader
-//   emissive: emissive
-//   emissiveUv: 1
-//   suns: sun1
+//   position: 1
+//   uv1: 1
+//   normal: 1
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
 //
 // VERTEX SHADER
 //

@@ -1,5 +1,6 @@
 #version 100
 // FrankenShader
+//   position: 1
 //
 // VERTEX SHADER
 //

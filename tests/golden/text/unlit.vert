@@ -1,7 +1,7 @@
 #version 100
 // FrankenShader
-//   baseColorTexture: 1
-//   shading: 1
+//   position: 1
+//   uv0: 1
 //
 // VERTEX SHADER
 //

@@ -1,10 +1,8 @@
 #version 100
 // FrankenShader
-//   baseColorTexture: 1
-//   vertexColor: 1
-//   baseColorUv: 1
-//   uv1Transform: 1
-//   shading: 1
+//   position: 1
+//   uv1_transform: 1
+//   color: 1
 //
 // VERTEX SHADER
 //

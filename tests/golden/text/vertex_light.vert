@@ -1,8 +1,13 @@
 #version 100
 // FrankenShader
-//   baseColorTexture: 1
-//   suns: sun1
-//   lightVectors: 1
+//   position: 1
+//   uv0: 1
+//   normal: 1
+//   normal_varying: 1
+//   world: 1
+//   sun_angles: 1
+//   sun_angle: 1
+//   sun_fresnel: 1
 //
 // VERTEX SHADER
 //

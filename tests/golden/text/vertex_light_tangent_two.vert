@@ -1,8 +1,12 @@
 #version 100
 // FrankenShader
+//   position: 1
+//   uv0: 1
 //   normal: 1
-//   suns: sun2
-//   lightVectors: 1
+//   world: 1
+//   tangent: 1
+//   tangent_frame: 1
+//   sun_tangent: 2
 //
 // VERTEX SHADER
 //

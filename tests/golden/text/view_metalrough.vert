@@ -1,7 +1,7 @@
 #version 100
 // FrankenShader
-//   metallicRoughness: metalrough-separate
-//   view: view-metalrough
+//   position: 1
+//   uv0: 1
 //
 // VERTEX SHADER
 //

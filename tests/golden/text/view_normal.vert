@@ -1,7 +1,12 @@
 #version 100
 // FrankenShader
+//   position: 1
+//   uv0: 1
 //   normal: 1
-//   view: view-normal
+//   normal_varying: 1
+//   model: 1
+//   tangent: 1
+//   tangent_varying: 1
 //
 // VERTEX SHADER
 //

@@ -1,8 +1,10 @@
 #version 100
 // FrankenShader
-//   sides: 1
-//   view: view-normal
-//   facingWorkaround: 1
+//   position: 1
+//   normal: 1
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
 //
 // VERTEX SHADER
 //

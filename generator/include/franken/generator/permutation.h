@@ -178,8 +178,8 @@ Result<Permutation> fromKey(Key key);
 
 enum class Stage : std::uint8_t { Vertex, Fragment };
 
-/// The permutation without the choices that leave this stage's text alone, packed: programs whose stage
-/// keys are equal share that stage's shader. An output choice never changes a vertex key.
+/// Tells one stage's text from another's: canonical permutations with equal stage keys have equal texts there,
+/// and share that shader. No permutation's key: fromKey() does not read it.
 Key stageKey(const Permutation& permutation, Stage stage);
 
 /// The name: words for all choices that are not the default, material words joined by '.', the rest by
