@@ -11,8 +11,6 @@
 namespace franken {
 namespace {
 
-constexpr std::size_t kMaxShortVertices = 65'536;
-
 int reserve(VertexFormat& format, bool present, std::size_t bytes) {
     if (!present)
         return -1;
@@ -106,34 +104,46 @@ std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices) {
     return parts;
 }
 
-GpuMesh::GpuMesh(const Gl& gl, const Primitive& primitive, const Capabilities& capabilities) {
-    const MeshData whole = interleave(primitive);
-    m_format = whole.format;
-    if (primitive.positions.size() <= kMaxShortVertices || capabilities.wideIndices)
-        addPart(gl, whole);
-    else
-        for (const MeshData& part : split(whole, kMaxShortVertices))
-            addPart(gl, part);
+Result<GpuMesh> GpuMesh::make(const Device& device, const Primitive& primitive) {
+    GpuMesh mesh;
+    std::vector<MeshData> parts;
+    parts.push_back(interleave(primitive));
+    mesh.m_format = parts.front().format;
+    if (primitive.positions.size() > kMaxShortVertices && !device.capabilities.wideIndices)
+        parts = split(parts.front(), kMaxShortVertices);
+    for (const MeshData& part : parts)
+        if (Result<void> added = mesh.addPart(device, part); !added)
+            return added.error();
+    return mesh;
 }
 
-void GpuMesh::addPart(const Gl& gl, const MeshData& data) {
-    Part part{GlBuffer(gl, generate(gl.GenBuffers)), GlBuffer(gl, generate(gl.GenBuffers)),
-              static_cast<GLsizei>(data.indices.size())};
+Result<void> GpuMesh::addPart(const Device& device, const MeshData& data) {
+    const std::size_t vertexCount = data.vertices.size() / static_cast<std::size_t>(data.format.stride);
+    const bool wide = vertexCount > kMaxShortVertices;
+    const std::size_t indexBytes =
+        data.indices.size() * (wide ? sizeof(std::uint32_t) : sizeof(std::uint16_t));
+    Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Meshes, data.vertices.size() + indexBytes);
+    if (!lease)
+        return lease.error();
+    const Gl& gl = device.gl;
+    Part part{.vertices = GlBuffer(gl, generate(gl.GenBuffers)),
+              .indices = GlBuffer(gl, generate(gl.GenBuffers)),
+              .memory = *std::move(lease),
+              .count = static_cast<GLsizei>(data.indices.size()),
+              .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT)};
     const auto upload = [&](GLenum target, const GlBuffer& buffer, const void* from, std::size_t bytes) {
         gl.BindBuffer(target, buffer.name());
         gl.BufferData(target, static_cast<GLsizeiptr>(bytes), from, GL_STATIC_DRAW);
     };
     upload(GL_ARRAY_BUFFER, part.vertices, data.vertices.data(), data.vertices.size());
-    const std::size_t vertexCount = data.vertices.size() / static_cast<std::size_t>(data.format.stride);
-    if (vertexCount > kMaxShortVertices) {
-        part.indexType = GL_UNSIGNED_INT;
-        upload(GL_ELEMENT_ARRAY_BUFFER, part.indices, data.indices.data(),
-               data.indices.size() * sizeof(std::uint32_t));
+    if (wide) {
+        upload(GL_ELEMENT_ARRAY_BUFFER, part.indices, data.indices.data(), indexBytes);
     } else {
         const std::vector<std::uint16_t> narrow(data.indices.begin(), data.indices.end());
-        upload(GL_ELEMENT_ARRAY_BUFFER, part.indices, narrow.data(), narrow.size() * sizeof(std::uint16_t));
+        upload(GL_ELEMENT_ARRAY_BUFFER, part.indices, narrow.data(), indexBytes);
     }
     m_parts.push_back(std::move(part));
+    return {};
 }
 
 void GpuMesh::setPointers(const Gl& gl, unsigned attributes, const std::array<int, 2>& uvSets) const {
@@ -154,11 +164,16 @@ void GpuMesh::setPointers(const Gl& gl, unsigned attributes, const std::array<in
     set("aColor", 4, GL_UNSIGNED_SHORT, m_format.color);
 }
 
-void GpuMesh::draw(const Gl& gl, unsigned attributes, const std::array<int, 2>& uvSets) const {
+void GpuMesh::draw(const Gl& gl, GlState& state, unsigned attributes,
+                   const std::array<int, 2>& uvSets) const {
+    const unsigned layout =
+        attributes | static_cast<unsigned>(uvSets[0]) << 8 | static_cast<unsigned>(uvSets[1]) << 9;
     for (const Part& part : m_parts) {
-        gl.BindBuffer(GL_ARRAY_BUFFER, part.vertices.name());
-        gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, part.indices.name());
-        setPointers(gl, attributes, uvSets);
+        state.bindIndices(part.indices.name());
+        if (state.changesPointers(part.vertices.name(), layout)) {
+            state.bindVertices(part.vertices.name());
+            setPointers(gl, attributes, uvSets);
+        }
         gl.DrawElements(GL_TRIANGLES, part.count, part.indexType, nullptr);
     }
 }

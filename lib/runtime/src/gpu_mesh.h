@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "franken/capabilities.h"
-#include "franken/gl_object.h"
+#include "franken/gl_state.h"
 #include "franken/scene.h"
+#include "gpu_texture.h"
 
 #include <array>
 #include <cstdint>
@@ -32,24 +32,29 @@ MeshData interleave(const Primitive& primitive);
 /// The same triangles in parts of at most `maxVertices` (3 and up) vertices each.
 std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices);
 
-/// A primitive's buffers. Indices are 16 bits wide where that is enough; beyond 65,536 vertices they are 32
+/// A primitive's buffers. Indices are 16 bits wide where that is enough; beyond kMaxShortVertices they are 32
 /// bits wide, or the primitive is split, as the context has it.
 class GpuMesh {
 public:
-    GpuMesh(const Gl& gl, const Primitive& primitive, const Capabilities& capabilities);
+    /// 16-bit indices up to 65,534: where primitive restart is always on, as in WebGL 2, 65,535 is no vertex.
+    static constexpr std::size_t kMaxShortVertices = 65'535;
+
+    /// Fails with "memory.budget".
+    static Result<GpuMesh> make(const Device& device, const Primitive& primitive);
 
     /// Draws with the program in use, whose attribute arrays (those and no others) are enabled. uvSets: which
     /// TEXCOORD_n is fed to each UV stream.
-    void draw(const Gl& gl, unsigned attributes, const std::array<int, 2>& uvSets) const;
+    void draw(const Gl& gl, GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;
 
 private:
     struct Part {
         GlBuffer vertices, indices;
+        MemoryLease memory;
         GLsizei count = 0;
         GLenum indexType = GL_UNSIGNED_SHORT;
     };
 
-    void addPart(const Gl& gl, const MeshData& data);
+    Result<void> addPart(const Device& device, const MeshData& data);
     void setPointers(const Gl& gl, unsigned attributes, const std::array<int, 2>& uvSets) const;
 
     VertexFormat m_format;

@@ -3,6 +3,7 @@
 
 #include "franken/material.h"
 #include "franken/shader_program.h"
+#include "frustum.h"
 #include "gpu_mesh.h"
 #include "gpu_texture.h"
 
@@ -26,17 +27,18 @@ struct GpuMaterial {
 struct Drawable {
     std::size_t mesh, material; ///< Indices into GpuScene.
     glm::dmat4 world;
-    glm::dvec3 center; ///< Of its bounds, in the world.
+    Bounds bounds; ///< In the world.
     bool mirrored, doubleSided, blended;
     UniformBlock<ObjectBlock> block;
 };
 
 /// A scene's GL objects and draws.
 struct GpuScene {
-    std::vector<GlTexture> textures; ///< By scene texture; without a name where no material uses it.
-    std::vector<GpuMesh> meshes;     ///< One for each primitive.
+    std::vector<GpuTexture> textures; ///< By scene texture; without a name where no material uses it.
+    std::vector<GpuMesh> meshes;      ///< One for each primitive.
     std::vector<GpuMaterial> materials;
     std::vector<Drawable> drawables;
+    unsigned number = 0; ///< Another one for each scene: draws are ordered by it.
 };
 
 /// What is bound where a material has no texture: one texel that changes nothing.
@@ -45,7 +47,7 @@ struct DefaultTextures {
     GlTexture white, flatNormal;
 };
 
-GpuScene upload(const Gl& gl, const Scene& scene, const DefaultTextures& defaults,
-                const Capabilities& capabilities, const Log& log);
+/// Fails with "memory.budget".
+Result<GpuScene> upload(const Device& device, const Scene& scene, const DefaultTextures& defaults);
 
 } // namespace franken

@@ -2,8 +2,6 @@
 #include "gpu_sky.h"
 
 #include "franken/generator/interface.h"
-#include "gpu_texture.h"
-
 #include <algorithm>
 
 namespace franken {
@@ -14,34 +12,37 @@ constexpr Texture kClamped = {.wrapS = Wrap::ClampToEdge,
                               .magFilter = Filter::Linear,
                               .minFilter = Filter::Linear};
 
-void bind(const Gl& gl, const char* sampler, const GlTexture& texture) {
-    gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(samplerUnit(sampler)));
-    gl.BindTexture(GL_TEXTURE_2D, texture.name());
+void bind(GlState& state, const char* sampler, const GpuTexture& texture) {
+    state.bindTexture(static_cast<unsigned>(samplerUnit(sampler)), GL_TEXTURE_2D, texture.texture.name());
 }
 
 } // namespace
 
 GpuMirror::GpuMirror(const Gl& gl)
-    : atlas(uploadTexel(gl, {0, 0, 0, 0})), lookup(uploadTexel(gl, {0, 0, 0, 0})) {}
+    : atlas{uploadTexel(gl, {0, 0, 0, 0}), {}}, lookup{uploadTexel(gl, {0, 0, 0, 0}), {}} {}
 
-Result<GpuMirror> uploadMirror(const Gl& gl, const SkyMirror& mirror, const Capabilities& capabilities) {
+Result<GpuMirror> uploadMirror(const Device& device, const SkyMirror& mirror) {
     const Image& atlas = mirror.atlas.image;
-    if (std::max(atlas.width, atlas.height) > capabilities.maxTextureSize)
+    if (std::max(atlas.width, atlas.height) > device.capabilities.maxTextureSize)
         return Error{"renderer.sky", "",
                      "the sky's levels are " + std::to_string(atlas.width) + "x" +
                          std::to_string(atlas.height) + ", and the GPU takes up to " +
-                         std::to_string(capabilities.maxTextureSize),
+                         std::to_string(device.capabilities.maxTextureSize),
                      "filter the sky to a smaller size"};
-    GpuMirror gpu(gl);
-    gpu.atlas = uploadTexture(gl, atlas, kClamped, Encoding::Linear, capabilities, {});
-    gpu.lookup = uploadTexture(gl, mirror.lookup, kClamped, Encoding::Linear, capabilities, {});
+    GpuMirror gpu(device.gl);
+    for (const auto& [texture, image] : {std::pair(&gpu.atlas, &atlas), {&gpu.lookup, &mirror.lookup}}) {
+        Result<GpuTexture> uploaded = uploadTexture(device, *image, kClamped, Encoding::Linear);
+        if (!uploaded)
+            return uploaded.error();
+        *texture = *std::move(uploaded);
+    }
     gpu.range = mirror.atlas.range;
     return gpu;
 }
 
-void bindMirror(const Gl& gl, const GpuMirror& mirror) {
-    bind(gl, "uSpecularSky", mirror.atlas);
-    bind(gl, "uSpecularLookup", mirror.lookup);
+void bindMirror(GlState& state, const GpuMirror& mirror) {
+    bind(state, "uSpecularSky", mirror.atlas);
+    bind(state, "uSpecularLookup", mirror.lookup);
 }
 
 } // namespace franken

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "franken/capabilities.h"
-#include "franken/gl_object.h"
-#include "franken/result.h"
+#include "franken/gl_state.h"
 #include "franken/specular_sky.h"
+#include "gpu_texture.h"
 
 namespace franken {
 
@@ -12,14 +11,15 @@ namespace franken {
 struct GpuMirror {
     explicit GpuMirror(const Gl& gl);
 
-    GlTexture atlas, lookup;
+    GpuTexture atlas, lookup;
     float range = 0;
 };
 
-/// Fails with "renderer.sky" where the context's textures are too small. Leaves textures bound to unit 0.
-Result<GpuMirror> uploadMirror(const Gl& gl, const SkyMirror& mirror, const Capabilities& capabilities);
+/// Fails with "renderer.sky" where the context's textures are too small, and with "memory.budget". Leaves
+/// textures bound to unit 0.
+Result<GpuMirror> uploadMirror(const Device& device, const SkyMirror& mirror);
 
 /// To the units that samplerUnit() gives them, which no material uses.
-void bindMirror(const Gl& gl, const GpuMirror& mirror);
+void bindMirror(GlState& state, const GpuMirror& mirror);
 
 } // namespace franken

@@ -101,20 +101,35 @@ TextureSize fittedSize(const Image& image, const Texture& texture, const Capabil
     return {fit(image.width), fit(image.height)};
 }
 
-GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture, Encoding encoding,
-                        const Capabilities& capabilities, const Log& log) {
-    GlTexture name(gl, generate(gl.GenTextures));
-    bind(gl, GL_TEXTURE_2D, name, texture);
+std::size_t textureBytes(TextureSize size, bool mipmaps) {
+    constexpr std::size_t kTexel = 4;
+    std::size_t texels = 0;
+    for (auto [width, height] = size;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
+        texels += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        if (!mipmaps || (width == 1 && height == 1))
+            return texels * kTexel;
+    }
+}
+
+Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const Texture& texture,
+                                 Encoding encoding) {
+    const auto& [gl, capabilities, memory, log] = device;
     const TextureSize size = fittedSize(image, texture, capabilities);
+    const bool mipmaps = hasMipmaps(texture);
+    Result<MemoryLease> lease = memory.reserve(MemoryUse::Textures, textureBytes(size, mipmaps));
+    if (!lease)
+        return lease.error();
     if (log && std::max(image.width, image.height) > capabilities.maxTextureSize)
         log(LogLevel::Warning, "image \"" + image.name + "\" is scaled down to " +
                                    std::to_string(size.width) + "x" + std::to_string(size.height) +
                                    ": the GPU takes no more");
+    GlTexture name(gl, generate(gl.GenTextures));
+    bind(gl, GL_TEXTURE_2D, name, texture);
     if (size == TextureSize{image.width, image.height})
-        uploadLevels(gl, image, hasMipmaps(texture), encoding);
+        uploadLevels(gl, image, mipmaps, encoding);
     else
-        uploadLevels(gl, resampled(image, size.width, size.height), hasMipmaps(texture), encoding);
-    return name;
+        uploadLevels(gl, resampled(image, size.width, size.height), mipmaps, encoding);
+    return GpuTexture{std::move(name), *std::move(lease)};
 }
 
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {

@@ -4,12 +4,26 @@
 #include "franken/capabilities.h"
 #include "franken/environment.h"
 #include "franken/gl_object.h"
+#include "franken/gpu_memory.h"
 #include "franken/log.h"
 #include "franken/scene.h"
 
 #include <array>
 
 namespace franken {
+
+/// Where uploads go.
+struct Device {
+    const Gl& gl;
+    const Capabilities& capabilities;
+    GpuMemory& memory;
+    const Log& log;
+};
+
+struct GpuTexture {
+    GlTexture texture;
+    MemoryLease memory;
+};
 
 struct TextureSize {
     int width, height;
@@ -23,10 +37,14 @@ TextureSize fittedSize(const Image& image, const Texture& texture, const Capabil
 /// What the colour channels of a texture hold. Alpha is always linear.
 enum class Encoding { Linear, Srgb };
 
+/// Of an RGBA8 texture.
+std::size_t textureBytes(TextureSize size, bool mipmaps);
+
 /// Uploads as RGBA8, with mipmaps where the filter uses them; resampled to its fitted size, with a warning
-/// where the GPU's limit is the reason. This and the next two leave the texture bound to unit 0.
-GlTexture uploadTexture(const Gl& gl, const Image& image, const Texture& texture, Encoding encoding,
-                        const Capabilities& capabilities, const Log& log);
+/// where the GPU's limit is the reason. Fails with "memory.budget". This and the next two leave the texture
+/// bound to unit 0.
+Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const Texture& texture,
+                                 Encoding encoding);
 
 /// One texel.
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba);

@@ -26,23 +26,17 @@ Result<void> checkMemory(const Gl& gl) {
     return {};
 }
 
+Renderer::State::State(const Gl& table, const Capabilities& found, Log log_)
+    : gl(table), capabilities(found), log(std::move(log_)), defaults(gl), mirror(gl) {
+    memory.setEvict([this] { return evictOne(); });
+}
+
 Renderer::Renderer(const Gl& gl, Log log) : Renderer(gl, Capabilities::query(gl), std::move(log)) {}
 
 Renderer::Renderer(const Gl& gl, const Capabilities& capabilities, Log log)
     : m_state(std::make_unique<State>(gl, capabilities, std::move(log))) {}
 
 Renderer::~Renderer() = default;
-
-Result<void> Renderer::load(const Scene& scene) {
-    State& state = *m_state;
-    state.scene = upload(state.gl, scene, state.defaults, state.capabilities, state.log);
-    state.opaque.clear();
-    state.blended.clear();
-    for (std::size_t i = 0; i < state.scene.drawables.size(); ++i)
-        (state.scene.drawables[i].blended ? state.blended : state.opaque).push_back(i);
-    state.resolved = false;
-    return checkMemory(state.gl);
-}
 
 void Renderer::setLighting(const Lighting& lighting) {
     m_state->resolved = m_state->resolved && sameShape(m_state->lighting, lighting);
@@ -62,13 +56,23 @@ Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target
         return resolved;
     state.updateBlocks(viewpoint, target);
     state.beginFrame(target);
-    for (const std::size_t index : state.opaque)
-        state.drawOne(state.scene.drawables[index]);
+    for (const Placed& placed : state.visibleOpaque)
+        state.drawOne(placed);
     if (state.sky)
         state.drawBackdrop();
-    state.drawBlended(viewpoint);
+    state.drawBlended();
     return {};
 }
+
+void Renderer::invalidateState() { m_state->glState.invalidate(); }
+
+FrameCounters Renderer::frameCounters() const {
+    const std::size_t all = m_state->opaque.size() + m_state->blended.size();
+    const std::size_t drawn = m_state->visibleOpaque.size() + m_state->visibleBlended.size();
+    return {.drawn = drawn, .culled = all - drawn};
+}
+
+GpuMemory& Renderer::memory() { return m_state->memory; }
 
 const ProgramCounters& Renderer::programCounters() const { return m_state->cache.counters(); }
 

@@ -6,9 +6,13 @@ namespace franken {
 Result<void> Renderer::State::resolvePrograms() {
     if (resolved)
         return {};
-    for (GpuMaterial& material : scene.materials)
-        if (Result<void> made = resolveMaterial(material); !made)
-            return made;
+    if (lost)
+        return Error{"renderer.context-lost", "", "there is no context", "call restore() first"};
+    glState.invalidate(); // Who makes programs uses them.
+    for (Model* model : shown)
+        for (GpuMaterial& material : model->gpu->materials)
+            if (Result<void> made = resolveMaterial(material); !made)
+                return made;
     if (sky)
         if (Result<void> made = resolveSky(); !made)
             return made;

@@ -8,14 +8,23 @@ constexpr unsigned kSkyUnit = 6;
 
 } // namespace
 
-Result<void> Renderer::setBackdrop(const SkyCube* cube) {
+Result<void> Renderer::setBackdrop(const SkyCube* cube, SkySource source) {
     State& state = *m_state;
     state.resolved = false;
+    state.glState.invalidate();
     state.sky = {};
+    state.skyMemory = {};
+    state.skySource = std::move(source);
     return cube == nullptr ? Result<void>() : state.uploadBackdrop(*cube);
 }
 
 Result<void> Renderer::State::uploadBackdrop(const SkyCube& cube) {
+    const TextureSize face = {cube.size, cube.size};
+    Result<MemoryLease> lease =
+        memory.reserve(MemoryUse::Textures, cube.images.size() * textureBytes(face, false));
+    if (!lease)
+        return lease.error();
+    skyMemory = *std::move(lease);
     skyRange = cube.range;
     sky = uploadCube(gl, cube);
     constexpr float kTriangle[] = {-1, -1, 1, 3, -1, 1, -1, 3, 1};
@@ -25,25 +34,30 @@ Result<void> Renderer::State::uploadBackdrop(const SkyCube& cube) {
     return checkMemory(gl);
 }
 
-Result<void> Renderer::setMirror(const SkyMirror* mirror) {
+Result<void> Renderer::setMirror(const SkyMirror* mirror, MirrorSource source) {
     State& state = *m_state;
-    state.mirror = GpuMirror(state.gl);
-    if (mirror == nullptr)
-        return {};
-    Result<GpuMirror> uploaded = uploadMirror(state.gl, *mirror, state.capabilities);
+    state.glState.invalidate();
+    state.mirror.emplace(state.gl);
+    state.mirrorSource = std::move(source);
+    return mirror == nullptr ? Result<void>() : state.uploadMirror(*mirror);
+}
+
+Result<void> Renderer::State::uploadMirror(const SkyMirror& source) {
+    Result<GpuMirror> uploaded = franken::uploadMirror(device(), source);
     if (!uploaded)
         return uploaded.error();
-    state.mirror = *std::move(uploaded);
-    return checkMemory(state.gl);
+    mirror = *std::move(uploaded);
+    return checkMemory(gl);
 }
 
 void Renderer::State::drawBackdrop() {
     use(*skyProgram, {frame.view(), lights.view(), {}, {}});
-    gl.ActiveTexture(GL_TEXTURE0 + kSkyUnit);
-    gl.BindTexture(GL_TEXTURE_CUBE_MAP, sky.name());
-    gl.BindBuffer(GL_ARRAY_BUFFER, skyTriangle.name());
-    gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-    gl.Disable(GL_CULL_FACE);
+    glState.bindTexture(kSkyUnit, GL_TEXTURE_CUBE_MAP, sky.name());
+    if (glState.changesPointers(skyTriangle.name(), 0)) {
+        glState.bindVertices(skyTriangle.name());
+        gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+    }
+    glState.setCulling(false);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);
 }
 

@@ -4,6 +4,7 @@
 #include "franken/capabilities.h"
 #include "franken/environment.h"
 #include "franken/gl.h"
+#include "franken/gpu_memory.h"
 #include "franken/light.h"
 #include "franken/log.h"
 #include "franken/material.h"
@@ -13,7 +14,9 @@
 #include "franken/viewpoint.h"
 
 #include <array>
+#include <functional>
 #include <memory>
+#include <span>
 
 namespace franken {
 
@@ -25,29 +28,67 @@ struct DrawTarget {
     std::array<int, 3> bits = {8, 8, 8}; ///< Of each colour channel: what dithering goes by.
 };
 
-/// Draws a scene: one pass, opaque and masked surfaces by program, then the sky, then blended surfaces back
-/// to front.
+/// A model that a renderer holds; never given to another one.
+enum class ModelId : unsigned {};
+
+/// Makes again what the GPU lost or gave up, from where it came: reads the file again, so that no pixels are
+/// kept in memory for that. Called from show() and restore(), in their thread.
+using SceneSource = std::function<Result<Scene>()>;
+using SkySource = std::function<Result<SkyCube>()>;
+using MirrorSource = std::function<Result<SkyMirror>()>;
+
+/// What the last frame showed.
+struct FrameCounters {
+    std::size_t drawn = 0;  ///< Primitives.
+    std::size_t culled = 0; ///< Primitives that lie outside the view.
+};
+
+/// Draws models: one pass, opaque and masked surfaces by program, material and mesh, then the sky, then
+/// blended surfaces back to front. What lies outside the view is not drawn.
 ///
-/// Belongs to the thread of its context, which must be current in all calls and in the destructor. A frame
-/// sets all GL state that it depends on and asks GL for none; the state it leaves behind is undefined.
+/// A renderer holds any number of models on the GPU and shows some of them. Where its memory has a budget
+/// (see memory()), models that are not shown and have a source are given up, those shown longest ago first,
+/// and read again when they are shown. A kiosk that changes models:
+///
+///     const SceneSource vase = [] { return loadGltf("vase.glb"); };
+///     const Result<ModelId> id = renderer.add(*scene, vase); // The scene may come from another thread.
+///     renderer.show({{*id}});
+///
+/// Belongs to the thread of its context, which must be current in all calls and in the destructor, except
+/// where it is said otherwise. A frame asks GL for nothing and sets what it depends on (gl_state.h has the
+/// list) where it is not set yet: see invalidateState().
 class Renderer {
 public:
-    /// The table must outlive the renderer. Asks the context for its capabilities.
+    /// Copies the table. Asks the context for its capabilities.
     explicit Renderer(const Gl& gl, Log log = {});
     Renderer(const Gl& gl, const Capabilities& capabilities, Log log = {});
     ~Renderer();
 
-    /// Uploads a scene, in place of the one before. The scene is not needed afterwards. Warns of what is left
-    /// out. Fails with "renderer.memory" where the GPU's does not suffice.
-    Result<void> load(const Scene& scene);
+    /// Uploads a scene, without showing it. The scene is not needed afterwards. Warns of what is left out.
+    /// Fails with "memory.budget", and with "renderer.memory" where the GPU's memory does not suffice
+    /// although the budget does. A model without a source is never given up, and is lost with the context.
+    Result<ModelId> add(const Scene& scene, SceneSource source = {});
 
-    /// Shows a sky behind the scene, or none (null). It lights nothing: that is Lighting's matter.
-    Result<void> setBackdrop(const SkyCube* cube);
+    /// Shows these models and no others; reads those again that were given up. Where that fails, what was
+    /// shown stays, unless it had to make room. Fails as add() does, as a source does, with "renderer.model"
+    /// for an unknown model, and with "renderer.no-source" for one that was lost.
+    Result<void> show(std::span<const ModelId> models);
+
+    /// Deletes a model. Does nothing for an unknown one.
+    void remove(ModelId model);
+
+    /// Adds a model, shows it and removes all others. Fails as add() does; what was there stays then, unless
+    /// it had to make room.
+    Result<void> load(const Scene& scene, SceneSource source = {});
+
+    /// Shows a sky behind the scene, or none (null). It lights nothing: that is Lighting's matter. Fails as
+    /// add() does.
+    Result<void> setBackdrop(const SkyCube* cube, SkySource source = {});
 
     /// Takes what rough mirrors show of a sky, or nothing (null). Seen where Lighting::skySpecular asks for
     /// it; surfaces reflect no sky then while there is none here. Fails with "renderer.sky" where the atlas
-    /// is larger than the GPU's textures, and with "renderer.memory".
-    Result<void> setMirror(const SkyMirror* mirror);
+    /// is larger than the GPU's textures, and as add() does.
+    Result<void> setMirror(const SkyMirror* mirror, MirrorSource source = {});
 
     /// Free to change from frame to frame. New counts of lights, another kind of ambient light, and any other
     /// look need other programs, which the next frame or prepare() makes.
@@ -58,8 +99,27 @@ public:
     /// ProgramCache::get() does.
     Result<void> prepare();
 
+    /// Fails as prepare() does, and with "renderer.context-lost" between contextLost() and restore().
     Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
 
+    /// Someone else changed GL's state since the last call: to be said once, before the next one. Bindings of
+    /// framebuffers and the viewport need not be told of.
+    void invalidateState();
+
+    /// The context and all that was in it are gone. Makes no GL call, and needs no context. Shown models, the
+    /// sky, lighting and look are remembered.
+    void contextLost();
+
+    /// Rebuilds everything that is shown in a new context, which is current, from the sources. Where
+    /// something cannot be rebuilt, the rest is, and the first error is returned. Without contextLost()
+    /// before, the old context counts as lost.
+    Result<void> restore(const Gl& gl);
+    Result<void> restore(const Gl& gl, const Capabilities& capabilities);
+
+    /// Bytes in use and their budget; an application reserves its own targets in it.
+    GpuMemory& memory();
+
+    FrameCounters frameCounters() const;
     const ProgramCounters& programCounters() const;
 
 private:

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/gl.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace franken {
+
+/// What GL's state was set to, so that nothing is set twice and nothing is asked. GLES2 has no vertex array
+/// objects and drivers check much at each call: a call that changes nothing still costs.
+///
+/// All drawing of this library goes through one of these. The state that it touches is
+///
+/// | state | while the library draws |
+/// |---|---|
+/// | program, texture bindings of units 0 to 7 (2D and cube), active unit | what the material needs |
+/// | array and element array buffer, arrays 0 to 7 and their pointers | what the mesh needs |
+/// | blending, depth test, depth writes, face culling, front face | by pass and material |
+/// | blend equation and function | add; source alpha, one minus source alpha (alpha: one, same) |
+/// | depth function, depth range, cull face, colour mask | less or equal, 0 to 1, back, all |
+/// | scissor, stencil and dither, polygon offset, alpha to coverage, sample coverage | off |
+/// | framebuffer, viewport, clear colour, clear depth | the target's |
+/// | loading alone: unpack alignment | 4 |
+///
+/// and no other: pixel store, hints, line width, generic attribute values, stencil functions and render
+/// buffers stay as they were. After drawing, the state is what the last draw left. Whoever else calls GL in
+/// the same context changes what he likes and then calls invalidate(), once, before the library draws again.
+///
+/// Belongs to the thread of its context. Calls that change state do nothing else.
+class GlState {
+public:
+    /// The table must outlive the object. Nothing is known at first.
+    explicit GlState(const Gl& gl) : m_gl(&gl) {}
+
+    /// Someone else used the context, or GL objects were deleted: all of it is set again when it is needed.
+    void invalidate() { *this = GlState(*m_gl); }
+
+    /// Sets everything that is the same for all draws of the library, where it is not known to be set.
+    void begin();
+
+    void setClearColor(const std::array<float, 3>& color);
+    void setBlending(bool on) { setCapability(m_blending, GL_BLEND, on); }
+    void setDepthTest(bool on) { setCapability(m_depthTest, GL_DEPTH_TEST, on); }
+    void setCulling(bool on) { setCapability(m_culling, GL_CULL_FACE, on); }
+    void setDepthWrites(bool on);
+    void setFrontFace(GLenum winding);
+
+    void useProgram(GLuint program);
+    /// unit: 0 to 7. target: GL_TEXTURE_2D or GL_TEXTURE_CUBE_MAP.
+    void bindTexture(unsigned unit, GLenum target, GLuint texture);
+    void bindVertices(GLuint buffer);
+    void bindIndices(GLuint buffer);
+    /// Enables the arrays of those locations (bit n: location n) and no others.
+    void enableArrays(unsigned locations);
+    /// Whether the pointers of the enabled arrays must be set, because they were last set for another buffer
+    /// or another layout of it. `layout` is any number that tells the layouts of one buffer apart.
+    bool changesPointers(GLuint buffer, unsigned layout);
+
+private:
+    static constexpr std::size_t kUnits = 8;
+    static constexpr GLuint kUnknown = ~GLuint{0};
+
+    struct Pointers {
+        GLuint buffer;
+        unsigned layout;
+        bool operator==(const Pointers&) const = default;
+    };
+
+    void setCapability(std::optional<bool>& known, GLenum capability, bool on);
+
+    const Gl* m_gl;
+    bool m_begun = false;
+    std::optional<std::array<float, 3>> m_clearColor;
+    std::optional<bool> m_blending, m_depthTest, m_culling, m_depthWrites;
+    GLenum m_frontFace = 0;
+    GLuint m_program = kUnknown, m_vertices = kUnknown, m_indices = kUnknown;
+    unsigned m_unit = kUnknown;
+    std::array<std::array<GLuint, 2>, kUnits> m_textures = unknownTextures(); ///< 2D, cube
+    std::optional<unsigned> m_arrays;
+    std::optional<Pointers> m_pointers;
+
+    static constexpr std::array<std::array<GLuint, 2>, kUnits> unknownTextures() {
+        std::array<std::array<GLuint, 2>, kUnits> textures{};
+        for (std::array<GLuint, 2>& unit : textures)
+            unit = {kUnknown, kUnknown};
+        return textures;
+    }
+};
+
+} // namespace franken

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/result.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <utility>
+
+namespace franken {
+
+/// What GPU memory is used for.
+enum class MemoryUse { Textures, Meshes, Targets };
+
+class GpuMemory;
+
+/// A reserved amount of GPU memory, given back at the end. Moves, does not copy.
+class MemoryLease {
+public:
+    MemoryLease() = default;
+    MemoryLease(MemoryLease&& other) noexcept
+        : m_used(std::move(other.m_used)), m_use(other.m_use), m_bytes(std::exchange(other.m_bytes, 0)) {}
+    MemoryLease& operator=(MemoryLease&& other) noexcept {
+        std::swap(m_used, other.m_used);
+        std::swap(m_use, other.m_use);
+        std::swap(m_bytes, other.m_bytes);
+        return *this;
+    }
+    ~MemoryLease();
+
+    std::size_t bytes() const { return m_bytes; }
+
+private:
+    friend class GpuMemory;
+    using Used = std::array<std::size_t, 3>; ///< Bytes, by MemoryUse.
+    MemoryLease(std::shared_ptr<Used> used, MemoryUse use, std::size_t bytes);
+
+    std::shared_ptr<Used> m_used; ///< Outlives the GpuMemory where a lease does.
+    MemoryUse m_use = MemoryUse::Textures;
+    std::size_t m_bytes = 0;
+};
+
+/// Counts the bytes that textures, meshes and targets take on the GPU, and refuses what would exceed a
+/// budget before the driver does: a driver that has no memory left may end the process, draw nothing or take
+/// the screen's memory. A Pi 0 to 3 takes all of it from the contiguous memory (CMA) that its kernel sets
+/// aside, 64 to 256 MB for everything that is on the screen as well; a budget of half of it is a good start.
+///
+/// Bytes are those that were asked for (width * height * 4 for each level of a texture). Drivers round up:
+/// vc4 and v3d to tiles of 4 KiB and, without mipmaps, by some percent; that is not counted. Not safe on two
+/// threads at once: it belongs to the thread of its context.
+class GpuMemory {
+public:
+    static constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
+
+    /// Frees something that can be made again; false where there is nothing left to free.
+    using Evict = std::function<bool()>;
+
+    /// Does not free anything by itself: what is over a new budget goes when something else is reserved.
+    void setBudget(std::size_t bytes) { m_budget = bytes; }
+    std::size_t budget() const { return m_budget; }
+
+    void setEvict(Evict evict) { m_evict = std::move(evict); }
+
+    std::size_t used(MemoryUse use) const { return (*m_used)[static_cast<std::size_t>(use)]; }
+    std::size_t used() const { return (*m_used)[0] + (*m_used)[1] + (*m_used)[2]; }
+
+    /// How often something was freed to make room.
+    unsigned evictions() const { return m_evictions; }
+
+    /// Takes bytes out of the budget before they are asked of GL; where they do not fit, frees what can be
+    /// freed until they do. Fails with "memory.budget", which names the figures; what was freed stays freed.
+    /// An application reserves its own render targets, so that they are counted: width * height * 4 for
+    /// RGBA8, the same for depth with stencil, times the samples.
+    Result<MemoryLease> reserve(MemoryUse use, std::size_t bytes);
+
+private:
+    std::shared_ptr<MemoryLease::Used> m_used = std::make_shared<MemoryLease::Used>();
+    std::size_t m_budget = kUnlimited;
+    unsigned m_evictions = 0;
+    Evict m_evict;
+};
+
+} // namespace franken

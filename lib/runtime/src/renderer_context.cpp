@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "renderer_state.h"
+
+namespace franken {
+namespace {
+
+/// The table of a context that is gone: names are given up without a call.
+Gl deadTable() {
+    Gl gl;
+    gl.DeleteBuffers = [](GLsizei, const GLuint*) {};
+    gl.DeleteFramebuffers = [](GLsizei, const GLuint*) {};
+    gl.DeleteRenderbuffers = [](GLsizei, const GLuint*) {};
+    gl.DeleteTextures = [](GLsizei, const GLuint*) {};
+    gl.DeleteProgram = [](GLuint) {};
+    gl.DeleteShader = [](GLuint) {};
+    return gl;
+}
+
+} // namespace
+
+void Renderer::contextLost() {
+    State& state = *m_state;
+    state.lost = true;
+    state.gl = deadTable();
+    for (const std::unique_ptr<Model>& model : state.models)
+        model->gpu.reset();
+    state.sky = {};
+    state.skyMemory = {};
+    state.skyTriangle = {};
+    state.mirror.reset();
+    state.defaults.reset();
+    state.cache = ProgramCache(state.gl);
+    state.glState.invalidate();
+    state.opaque.clear();
+    state.blended.clear();
+    state.visibleOpaque.clear();
+    state.visibleBlended.clear();
+    state.resolved = false;
+}
+
+Result<void> Renderer::restore(const Gl& gl) { return restore(gl, Capabilities::query(gl)); }
+
+Result<void> Renderer::restore(const Gl& gl, const Capabilities& capabilities) {
+    State& state = *m_state;
+    if (!state.lost)
+        contextLost();
+    state.lost = false;
+    state.gl = gl;
+    state.capabilities = capabilities;
+    state.defaults.emplace(state.gl);
+    state.mirror.emplace(state.gl);
+    Result<void> result;
+    const auto keepFirst = [&](Result<void> next) {
+        if (result && !next)
+            result = std::move(next);
+    };
+    std::vector<Model*> list = state.shown;
+    for (Model* model : list)
+        keepFirst(state.makeResident(*model));
+    std::erase_if(list, [](const Model* model) { return !model->gpu; });
+    state.setShown(std::move(list));
+    if (state.skySource) {
+        const Result<SkyCube> cube = state.skySource();
+        keepFirst(cube ? state.uploadBackdrop(*cube) : Result<void>(cube.error()));
+    }
+    if (state.mirrorSource) {
+        const Result<SkyMirror> mirror = state.mirrorSource();
+        keepFirst(mirror ? state.uploadMirror(*mirror) : Result<void>(mirror.error()));
+    }
+    return result;
+}
+
+} // namespace franken
