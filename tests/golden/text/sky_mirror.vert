@@ -1,7 +1,10 @@
 #version 100
 // FrankenShader
-//   ambient: sh
-//   skySpecular: 1
+//   position: 1
+//   normal: 1
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
 //
 // VERTEX SHADER
 //

@@ -1,7 +1,13 @@
 #version 100
 // FrankenShader
+//   position: 1
+//   uv0: 1
 //   normal: 1
-//   suns: sun2
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
+//   tangent: 1
+//   tangent_varying: 1
 //
 // VERTEX SHADER
 //

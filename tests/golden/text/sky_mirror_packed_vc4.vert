@@ -1,7 +1,11 @@
 #version 100
 // FrankenShader
-//   metallicRoughness: metalrough
-//   suns: sun1
+//   position: 1
+//   uv0: 1
+//   normal: 1
+//   normal_varying: 1
+//   world: 1
+//   camera_varying: 1
 //
 // VERTEX SHADER
 //

@@ -1,9 +1,15 @@
 #version 100
 // FrankenShader
+//   position: 1
+//   uv0: 1
 //   normal: 1
-//   ambient: sh
-//   suns: sun2
-//   lightVectors: 1
+//   normal_varying: 1
+//   world: 1
+//   tangent: 1
+//   tangent_varying: 1
+//   sun_angles: 1
+//   sun_angle: 2
+//   sun_fresnel: 1
 //
 // VERTEX SHADER
 //
