@@ -32,6 +32,9 @@ template<Brdf B>
 bool uses(P p, N n) {
     return n.direct && p.brdf == B;
 }
+// Whether vectors are made unit that go into a highlight's width (README.md, Roots on VideoCore IV).
+bool exactLengths(N n) { return n.direct && !n.fewSuns && !n.tangentSpace; }
+bool looseLengths(P p, N n) { return p.target == Target::Vc4 && !exactLengths(n); }
 bool roots(P p, N n) { return pixelLight(n) || uses<Brdf::Gltf>(p, n); }
 template<Brdf B>
 bool usesFactors(P p, N n) {
@@ -85,8 +88,8 @@ constexpr std::array kRecipe = {
         [](P p, N n) { return n.decode && p.decode == Decode::Fast && emissiveTexture(p, n); }},
     Row{kFragment, "root", [](P p, N n) { return roots(p, n) && p.target != Target::Vc4; }},
     Row{kFragment, "root.vc4", [](P p, N n) { return roots(p, n) && p.target == Target::Vc4; }},
-    Row{kFragment, "inverse_root", [](P p, N n) { return n.normal && p.target != Target::Vc4; }},
-    Row{kFragment, "inverse_root.vc4", [](P p, N n) { return n.normal && p.target == Target::Vc4; }},
+    Row{kFragment, "inverse_root", [](P p, N n) { return n.normal && !looseLengths(p, n); }},
+    Row{kFragment, "inverse_root.vc4", [](P p, N n) { return n.normal && looseLengths(p, n); }},
     Row{kFragment, "inverse", [](P p, N n) { return (n.direct || n.mirror) && p.target != Target::Vc4; }},
     Row{kFragment, "inverse.vc4",
         [](P p, N n) { return (n.direct || n.mirror) && p.target == Target::Vc4; }},

@@ -56,14 +56,21 @@ ShadedPoint toPoint(const LitPoint& lit, Brdf brdf) {
 }
 
 /// One sun, linear output. Textures are white, so that factors are what they are multiplied with.
-Permutation permutationFor(Brdf brdf, MetallicRoughness source) {
+Permutation permutationFor(Brdf brdf, MetallicRoughness source, Target target = Target::Generic) {
     Permutation permutation;
     permutation.suns = 1;
     permutation.brdf = brdf;
     permutation.metallicRoughness = source;
+    permutation.target = target;
     permutation.output = Output::Linear;
     return canonicalise(permutation)->permutation;
 }
+
+constexpr std::pair<MetallicRoughness, Target> kSourcesAndForms[] = {
+    {MetallicRoughness::Factors, Target::Generic},
+    {MetallicRoughness::Packed, Target::Generic},
+    {MetallicRoughness::Factors, Target::Vc4},
+    {MetallicRoughness::Packed, Target::Vc4}};
 
 constexpr Brdf kBrdfs[] = {Brdf::Gltf, Brdf::Seed, Brdf::Fast, Brdf::Schlick};
 
@@ -95,7 +102,7 @@ protected:
         gl().TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kWhite);
     }
 
-    /// Over all points and both sources of roughness.
+    /// Over all points, both sources of roughness, and all forms.
     template<typename Expected>
     Errors errorsOf(const std::vector<LitPoint>& points, Brdf brdf, Expected expected);
 
@@ -111,8 +118,8 @@ Errors BrdfTest::errorsOf(const std::vector<LitPoint>& points, Brdf brdf, Expect
     for (const LitPoint& point : points)
         shaded.push_back(toPoint(point, brdf));
     Errors errors;
-    for (const auto source : {MetallicRoughness::Factors, MetallicRoughness::Packed}) {
-        const auto actual = shade(gl(), permutationFor(brdf, source), shaded);
+    for (const auto& [source, target] : kSourcesAndForms) {
+        const auto actual = shade(gl(), permutationFor(brdf, source, target), shaded);
         for (std::size_t i = 0; i < actual.size(); ++i)
             for (int channel = 0; channel < 3; ++channel)
                 errors.add(actual[i][static_cast<std::size_t>(channel)], expected(i)[channel]);
@@ -199,11 +206,11 @@ const Edge kEdges[] = {
 
 TEST_P(BrdfTest, IsANumberEverywhere) {
     for (const Brdf brdf : kBrdfs)
-        for (const auto source : {MetallicRoughness::Factors, MetallicRoughness::Packed}) {
+        for (const auto& [source, target] : kSourcesAndForms) {
             std::vector<ShadedPoint> points;
             for (const Edge& edge : kEdges)
                 points.push_back(toPoint(edge.point, brdf));
-            const auto shaded = shade(gl(), permutationFor(brdf, source), points);
+            const auto shaded = shade(gl(), permutationFor(brdf, source, target), points);
             ASSERT_EQ(shaded.size(), std::size(kEdges));
             for (std::size_t i = 0; i < shaded.size(); ++i)
                 for (const float value : shaded[i])
@@ -229,8 +236,10 @@ TEST_P(BrdfTest, MirrorsAreNumbersAroundTheirPeak) {
         std::vector<ShadedPoint> shaded;
         for (const LitPoint& point : points)
             shaded.push_back(toPoint(point, brdf));
-        for (const auto& color : shade(gl(), permutationFor(brdf, MetallicRoughness::Factors), shaded))
-            EXPECT_TRUE(isLight(color[0])) << color[0];
+        for (const Target target : kForms)
+            for (const auto& color :
+                 shade(gl(), permutationFor(brdf, MetallicRoughness::Factors, target), shaded))
+                EXPECT_TRUE(isLight(color[0])) << color[0];
     }
 }
 

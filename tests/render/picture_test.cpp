@@ -26,6 +26,7 @@ protected:
     PictureGolden() : PictureTest({160, 120}) {}
 
     void check(const std::string& name, const Shot& shot);
+    void checkFastForms(const std::string& name, const Shot& shot, const Picture& expected);
 
     /// "softpipe Mesa 22.3.6", whatever the backend puts around it.
     std::string driver() {
@@ -60,6 +61,17 @@ void PictureGolden::check(const std::string& name, const Shot& shot) {
         sameDriver() ? difference.max() == 0 : difference.mean <= 0.5 && difference.shareAbove(8) <= 0.02;
     EXPECT_TRUE(alike) << name << " by " << driver() << ": " << difference << "\n"
                        << writeDifference("picture_" + name, actual, expected);
+    checkFastForms(name, shot, actual);
+}
+
+// By the limits that hold between correct renderers.
+void PictureGolden::checkFastForms(const std::string& name, const Shot& shot, const Picture& expected) {
+    const Picture actual = draw(withForms(shot, Target::Vc4));
+    const Difference difference = compareLit(actual, expected);
+    std::cout << name << ": " << difference << "\n";
+    EXPECT_TRUE(difference.mean <= 0.05 && difference.shareAbove(1) <= 0.001 && difference.max() <= 4)
+        << name << " in the forms for vc4: " << difference << "\n"
+        << writeDifference("picture_" + name + ".vc4", actual, expected);
 }
 
 TEST_P(PictureGolden, ScenesOfOurOwn) {

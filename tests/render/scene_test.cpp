@@ -84,6 +84,7 @@ protected:
     SceneTest() : PictureTest({kSize, kSize}) {}
 
     void compareWithViewer(const std::string& name);
+    void compareShot(const std::string& title, Shot shot, const Picture& expected);
 };
 
 INSTANTIATE_TEST_SUITE_P(Backends, SceneTest, allBackends(), backendName);
@@ -92,11 +93,16 @@ void SceneTest::compareWithViewer(const std::string& name) {
     const std::filesystem::path folder = findShared("reference/scenes/" + name);
     if (folder.empty())
         GTEST_SKIP() << "needs ../shared/reference/scenes beside the sources";
-    Shot shot = shotOf(folder / (name + ".gltf"));
+    const Shot shot = shotOf(folder / (name + ".gltf"));
     const Picture expected = readPicture(folder / "khronos.png");
+    compareShot(name, shot, expected);
+    compareShot(name + ".vc4", withForms(shot, Target::Vc4), expected);
+}
+
+void SceneTest::compareShot(const std::string& title, Shot shot, const Picture& expected) {
     const Picture actual = draw(shot);
     const Difference plain = compareLit(actual, expected);
-    std::cout << name << ": " << plain << "\n";
+    std::cout << title << ": " << plain << "\n";
     if (plain.mean <= 1 && plain.shareAbove(6) <= 0.01)
         return;
 
@@ -105,11 +111,11 @@ void SceneTest::compareWithViewer(const std::string& name) {
     drawShot(filtering, surface(), shot);
     const Picture filtered = toPicture(readBack());
     const Difference blocks = compareLit(blockMeans(filtered), blockMeans(expected));
-    std::cout << name << ", filtered alike, blocks: " << blocks << "\n";
+    std::cout << title << ", filtered alike, blocks: " << blocks << "\n";
     // Found: mean 0.26 (WaterBottle), 0.4 % above 6 (TextureSettingsTest, whose text is as fine as a pixel).
     EXPECT_TRUE(blocks.mean <= 0.5 && blocks.shareAbove(6) <= 0.01 && plain.mean <= 3)
-        << writeDifference("scene_" + name, actual, expected) << "\n"
-        << writeDifference("scene_" + name + ".filtered", filtered, expected);
+        << writeDifference("scene_" + title, actual, expected) << "\n"
+        << writeDifference("scene_" + title + ".filtered", filtered, expected);
 }
 
 TEST_P(SceneTest, BoxInterleaved) { compareWithViewer("BoxInterleaved"); }

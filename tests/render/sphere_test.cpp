@@ -41,9 +41,22 @@ bool alike(const Difference& difference) {
 class Sphere : public PictureTest {
 protected:
     Sphere() : PictureTest({kSize, kSize}) {}
+
+    /// With the picture `title`.png.
+    void compareWith(const std::filesystem::path& folder, const std::string& title, const Picture& actual);
 };
 
 INSTANTIATE_TEST_SUITE_P(Backends, Sphere, allBackends(), backendName);
+
+void Sphere::compareWith(const std::filesystem::path& folder, const std::string& title,
+                         const Picture& actual) {
+    const Picture expected = readPicture(folder / (title + ".png"));
+    const Difference difference = compare(actual, expected, facesCamera);
+    EXPECT_GT(difference.pixels, 20'000u);
+    EXPECT_TRUE(alike(difference)) << title << ": " << difference << "\n"
+                                   << writeDifference(title + "." + std::string(toString(GetParam())), actual,
+                                                      expected);
+}
 
 TEST_P(Sphere, LooksAsOthersDrawIt) {
     const std::filesystem::path folder = findShared("reference/spheres");
@@ -53,15 +66,10 @@ TEST_P(Sphere, LooksAsOthersDrawIt) {
         Shot shot = shotOf(folder / ("sphere_" + name + ".gltf"));
         for (const auto& [brdf, pictures] : kReferences) {
             shot.look.brdf = brdf;
-            const Picture actual = draw(shot);
-            for (const std::string& picture : pictures) {
-                const std::string title = "sphere_" + name + "." + picture;
-                const Picture expected = readPicture(folder / (title + ".png"));
-                const Difference difference = compare(actual, expected, facesCamera);
-                EXPECT_GT(difference.pixels, 20'000u);
-                EXPECT_TRUE(alike(difference))
-                    << title << ": " << difference << "\n"
-                    << writeDifference(title + "." + std::string(toString(GetParam())), actual, expected);
+            for (const Target target : kForms) {
+                const Picture actual = draw(withForms(shot, target));
+                for (const std::string& picture : pictures)
+                    compareWith(folder, "sphere_" + name + "." + picture, actual);
             }
         }
     }

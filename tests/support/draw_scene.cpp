@@ -37,6 +37,11 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot) 
 
 Picture toPicture(const test::Image& image) { return {"", image.width, image.height, image.rgba}; }
 
+Shot withForms(Shot shot, Target target) {
+    shot.look.target = target;
+    return shot;
+}
+
 Picture readPicture(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(in), {}};

@@ -31,6 +31,14 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot);
 
 Picture toPicture(const test::Image& image);
 
+/// The forms of the text that any picture must look the same with: for any GPU, and what VideoCore IV runs
+/// best. A software rasteriser computes both to the last bit of a float; how inexact VideoCore IV is stands
+/// in tests/qpu/precision.
+inline constexpr Target kForms[] = {Target::Generic, Target::Vc4};
+
+/// The shot, drawn with the forms for a GPU.
+Shot withForms(Shot shot, Target target);
+
 /// A PNG or JPEG. Adds a failure where it does not load.
 Picture readPicture(const std::filesystem::path& file);
 

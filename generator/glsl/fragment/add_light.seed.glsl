@@ -4,10 +4,10 @@
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
   float mirror = lobe(light, nDotV, surface);
-  float rim = mirror * light.w;
+  float rim = light.w * mirror;
   float face = mirror - rim;
-  float entering = light.x - light.x * light.w;
+  float entering = light.x - light.w * light.x;
+  specular += (surface.dielectric * face + rim) * radiance;
   vec3 kept = entering * surface.tinted * surface.base;
-  diffuse += radiance * (entering * surface.diffuse + face * surface.metal - kept);
-  specular += radiance * (face * surface.dielectric + rim);
+  diffuse += (surface.diffuse * entering + face * surface.metal - kept) * radiance;
 }

@@ -4,9 +4,9 @@
 //! functions
 // pi D V N.L. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
+  float kept = min(4000.0 * light.x * nDotV, 1.0);
   float width = light.z - light.y * surface.slope;
   float smithV = nDotV * surface.smith.x + surface.smith.y;
-  float smithL = surface.smith.x * light.x + surface.smith.y;
-  float kept = min(nDotV * (4000.0 * light.x), 1.0);
+  float smithL = light.x * surface.smith.x + surface.smith.y;
   return light.x * kept * surface.gain * inverse(width * width * smithV * smithL) * (light.z * light.z);
 }

@@ -43,22 +43,22 @@ struct Surface {
 
 // pi D V N.L. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
+  float kept = min(4000.0 * light.x * nDotV, 1.0);
   float width = light.z - light.y * surface.slope;
   float smithV = nDotV * surface.smith.x + surface.smith.y;
-  float smithL = surface.smith.x * light.x + surface.smith.y;
-  float kept = min(nDotV * (4000.0 * light.x), 1.0);
+  float smithL = light.x * surface.smith.x + surface.smith.y;
   return light.x * kept * surface.gain * inverse(width * width * smithV * smithL) * (light.z * light.z);
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
   float mirror = lobe(light, nDotV, surface);
-  float rim = mirror * light.w;
+  float rim = light.w * mirror;
   float face = mirror - rim;
-  float entering = light.x - light.x * light.w;
+  float entering = light.x - light.w * light.x;
+  specular += (surface.dielectric * face + rim) * radiance;
   vec3 kept = entering * surface.tinted * surface.base;
-  diffuse += radiance * (entering * surface.diffuse + face * surface.metal - kept);
-  specular += radiance * (face * surface.dielectric + rim);
+  diffuse += (surface.diffuse * entering + face * surface.metal - kept) * radiance;
 }
 
 // normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;

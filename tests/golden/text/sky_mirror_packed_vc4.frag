@@ -40,7 +40,7 @@ float root(float x) {
 }
 
 float inverseRoot(float x) {
-  return exp2(-0.50001 * log2(x));
+  return inversesqrt(x);
 }
 
 float inverse(float x) {

@@ -53,7 +53,7 @@ float inverse(float x) {
 // texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
 vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
   vec3 n = texel - 0.5;
-  n = tangent * n.x + bitangent * n.y + normal * n.z;
+  n = n.x * tangent + normal * n.z + n.y * bitangent;
   return n * inverseRoot(dot(n, n));
 }
 

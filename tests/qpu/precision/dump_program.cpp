@@ -3,7 +3,8 @@
 //
 // A program as JSON, a document a line: first its two texts, then its uniforms' values for each line of
 // SCENES, which is 11 numbers: base colour, metalness, roughness, the camera's place, and the direction to
-// the one sun, of pi lux. The object's matrices are the identity.
+// the sun, of pi lux. Further suns are dark. Where the program has no sun, its first lamp stands for it, 2 m
+// from the origin, and further ones are dark. The object's matrices are the identity.
 #include "franken/generator/compose.h"
 #include "franken/generator/pack.h"
 
@@ -26,6 +27,20 @@ struct Blocks {
 
 using Scene = std::array<float, 11>;
 
+void packLights(Blocks& blocks, const Permutation& permutation, const Float3& toLight) {
+    constexpr float kPi = std::numbers::pi_v<float>, kDistance = 2;
+    for (std::size_t i = 0; i < Permutation::kMaxLights; ++i) {
+        Sun sun;
+        sun.direction = {-toLight[0], -toLight[1], -toLight[2]};
+        sun.illuminance = i == 0 ? kPi : 0;
+        packSun(blocks.lights, i, sun, 1);
+        Lamp lamp;
+        lamp.position = {kDistance * toLight[0], kDistance * toLight[1], kDistance * toLight[2]};
+        lamp.intensity = i == 0 && permutation.suns == 0 ? kPi * kDistance * kDistance : 0;
+        packLamp(blocks.lights, i, lamp, blocks.frame.cameraPosition, 1);
+    }
+}
+
 Blocks pack(const Permutation& permutation, const Scene& scene) {
     Blocks blocks;
     MaterialFactors factors;
@@ -34,10 +49,7 @@ Blocks pack(const Permutation& permutation, const Scene& scene) {
     factors.roughness = scene[4];
     blocks.material = packMaterial(factors, permutation.brdf, 1);
     blocks.frame.cameraPosition = {scene[5], scene[6], scene[7]};
-    Sun sun;
-    sun.direction = {-scene[8], -scene[9], -scene[10]};
-    sun.illuminance = std::numbers::pi_v<float>;
-    packSun(blocks.lights, 0, sun, 1);
+    packLights(blocks, permutation, {scene[8], scene[9], scene[10]});
     blocks.object.modelViewProjection =
         blocks.object.model = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     blocks.object.normalMatrix = {1, 0, 0, 0, 1, 0, 0, 0, 1};
