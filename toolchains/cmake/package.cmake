@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# cmake --install: headers, libraries, the programs, and the CMake package FrankenShader with the
-# components generator, runtime and platform. Base comes with each.
+# cmake --install: headers, libraries, the program with its manual, the licence, and the CMake package
+# FrankenShader with the components generator, runtime and platform. Base comes with each. Everything is found
+# relative to the package's own folder, so that the prefix may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -8,21 +9,39 @@ set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FrankenShader)
 
 function(franken_component name source_dir)
     install(TARGETS franken_${name} EXPORT FrankenShader-${name}
-        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+        ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     install(DIRECTORY ${source_dir}/include/franken DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     install(EXPORT FrankenShader-${name} NAMESPACE FrankenShader:: DESTINATION ${package_dir})
 endfunction()
 
+# A shared library of ours needs the others beside it, and says which version of the interface it is.
+function(franken_library name source_dir)
+    set_target_properties(franken_${name} PROPERTIES
+        VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+        INSTALL_RPATH $ORIGIN)
+    franken_component(${name} ${source_dir})
+endfunction()
+
 franken_component(base lib/base)
-franken_component(generator generator)
+franken_library(generator generator)
 if(FRANKEN_RUNTIME)
-    franken_component(runtime lib/runtime)
-    franken_component(platform platform)
+    franken_library(runtime lib/runtime)
 endif()
+if(FRANKEN_PLATFORM)
+    franken_library(platform platform)
+endif()
+if(FRANKEN_CLI)
+    file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+    set_target_properties(frankenshader PROPERTIES INSTALL_RPATH $ORIGIN/${bin_to_lib})
+    install(TARGETS frankenshader RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(FILES generator/cli/frankenshader.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+endif()
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/FrankenShaderConfig.cmake.in
-    ${CMAKE_BINARY_DIR}/FrankenShaderConfig.cmake INSTALL_DESTINATION ${package_dir})
-write_basic_package_version_file(${CMAKE_BINARY_DIR}/FrankenShaderConfigVersion.cmake
+    ${PROJECT_BINARY_DIR}/FrankenShaderConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/FrankenShaderConfigVersion.cmake
     COMPATIBILITY SameMinorVersion)
-install(FILES ${CMAKE_BINARY_DIR}/FrankenShaderConfig.cmake
-    ${CMAKE_BINARY_DIR}/FrankenShaderConfigVersion.cmake DESTINATION ${package_dir})
+install(FILES ${PROJECT_BINARY_DIR}/FrankenShaderConfig.cmake
+    ${PROJECT_BINARY_DIR}/FrankenShaderConfigVersion.cmake DESTINATION ${package_dir})
