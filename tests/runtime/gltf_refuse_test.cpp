@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {{"count", 1},
                  {"indices", {{"bufferView", 1}, {"byteOffset", -4}, {"componentType", 5123}}},
                  {"values", {{"bufferView", 0}}}}),
-            "gltf.bounds", "/accessors/0/sparse/indices"},
+            "gltf.value", "/accessors/0/sparse/indices/byteOffset"},
         Row{"hugeCount", set("/accessors/0/count", 4000000000u), "gltf.limit", "/accessors/0/count"},
         Row{"vertexIndex",
             [](GltfFile& file) {
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
                     file.floats("VEC2", {0, 0, 1, 1});
             },
             "gltf.type", "/attributes/TEXCOORD_0"},
-        Row{"matrix", set("/nodes/0/matrix", {1, 0, 0}), "gltf.type", "/nodes/0/matrix"},
+        Row{"matrix", set("/nodes/0/matrix", {1, 0, 0}), "gltf.schema", "/nodes/0/matrix"},
         Row{"emptySkin", set("/skins", {{{"joints", Json::array()}, {"inverseBindMatrices", 0}}}),
             "gltf.type", "/skins/0/joints"},
         Row{"inverseBind", set("/skins", {{{"joints", {0}}, {"inverseBindMatrices", 0}}}), "gltf.type",
@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
                                 deep = Json::array({deep});
                             file.json["extras"] = deep;
                         },
-                        "gltf.limit", ".gltf"}),
+                        "gltf.limit", "the JSON"}),
     [](const auto& row) { return row.param.name; });
 
 TEST(GltfRefused, UnknownExtensionIsNamed) {
@@ -218,15 +218,17 @@ TEST(GltfRefused, OptionalExtensionsAreWarnedOfOnceEach) {
     EXPECT_EQ(file.warnings.size(), 3u); // these two, and the missing UV stream of the normal map
 }
 
-TEST(GltfRefused, VerticesAreCountedOverAllMeshes) {
+// Memory is counted over all meshes, even where they share their accessors.
+TEST(GltfRefused, MemoryIsCounted) {
     GltfFile file = sound();
-    const Json primitive = file.json["meshes"][0]["primitives"][0];
-    file.json["meshes"][0]["primitives"].push_back(primitive);
     franken::LoadOptions options;
-    options.maxVertices = 12; // twice three vertices and three indices
+    options.maxMemoryBytes = 1 << 20;
     EXPECT_TRUE(file.load(options));
-    options.maxVertices = 11;
+    const Json primitive = file.json["meshes"][0]["primitives"][0];
+    for (int i = 0; i < 400; ++i)
+        file.json["meshes"][0]["primitives"].push_back(primitive);
     EXPECT_EQ(file.load(options).error().code, "gltf.limit");
+    EXPECT_TRUE(file.load());
 }
 
 TEST(GltfRefused, OnlyFilesInTheFolderAreRead) {

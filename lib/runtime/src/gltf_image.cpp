@@ -5,12 +5,14 @@
 #include <thread>
 
 #include "gltf_internal.h"
+#include "image_header.h"
 
 namespace franken::gltf {
 namespace {
 
-// Decoding is most of the time that a load takes, and each image is alone: one worker for each core.
-void decodeAll(const std::vector<std::span<const std::uint8_t>>& encoded, int maxSize,
+// Decoding is most of the time that a load takes, and each image is alone: one worker for each core, as far
+// as the memory goes that one of them takes.
+void decodeAll(const std::vector<std::span<const std::uint8_t>>& encoded, int maxSize, std::size_t maxWorkers,
                std::vector<std::optional<Result<Image>>>& results) {
     std::atomic<std::size_t> next = 0;
     const auto work = [&] {
@@ -20,11 +22,21 @@ void decodeAll(const std::vector<std::span<const std::uint8_t>>& encoded, int ma
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::jthread> workers;
     try {
-        for (std::size_t i = 1; i < std::min(cores, encoded.size()); ++i)
+        for (std::size_t i = 1; i < std::min({cores, encoded.size(), maxWorkers}); ++i)
             workers.emplace_back(work);
     } catch (const std::system_error&) { // no more threads to be had: this one does the rest
     }
     work();
+}
+
+// The pixels stay. What decoding takes besides is there once for each worker, and `largest` of them all.
+bool chargePixels(Source& source, std::span<const std::uint8_t> encoded, const std::string& where,
+                  std::size_t& largest) {
+    const Result<ImageHeader> header = readImageHeader(encoded, source.options.maxImageSize);
+    if (!header)
+        return true; // and decoding says why
+    largest = std::max(largest, header->decodingBytes);
+    return source.charge(1, header->pixelBytes(), where);
 }
 
 } // namespace
@@ -33,6 +45,7 @@ bool readImages(Source& source, const std::vector<bool>& used, std::vector<bool>
                 std::vector<Image>& images) {
     std::vector<std::size_t> which;
     std::vector<std::span<const std::uint8_t>> encoded;
+    std::size_t largest = 1;
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i])
             continue;
@@ -40,11 +53,14 @@ bool readImages(Source& source, const std::vector<bool>& used, std::vector<bool>
         const EncodedImage& image = source.images[i];
         encoded.push_back(image.view == kNone ? std::span<const std::uint8_t>(image.bytes)
                                               : viewBytes(source, image.view));
+        if (source.error || !chargePixels(source, encoded.back(), pathOf("images", i), largest))
+            return false;
     }
-    if (source.error)
+    const std::size_t maxWorkers = source.room() / largest;
+    if (!source.charge(1, largest, "/images"))
         return false;
     std::vector<std::optional<Result<Image>>> results(which.size());
-    decodeAll(encoded, source.options.maxImageSize, results);
+    decodeAll(encoded, source.options.maxImageSize, maxWorkers, results);
 
     images.assign(used.size(), Image{"", 1, 1, {255, 255, 255, 255}});
     broken.assign(used.size(), false);

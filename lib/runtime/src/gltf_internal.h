@@ -21,7 +21,8 @@ namespace franken::gltf {
 
 /// A buffer of the file. Its bytes are looked for, but their absence is an error only where they are drawn.
 struct Buffer {
-    std::string uri;                     ///< Empty: the binary chunk, or none at all.
+    std::string uri; ///< Empty: the binary chunk, or none at all.
+    bool hasUri = false;
     std::size_t length = 0;              ///< As declared; the bytes may be none.
     std::span<const std::uint8_t> bytes; ///< Exactly `length`, or empty.
     std::vector<std::uint8_t> storage;   ///< What `bytes` points into, unless that is Source::bytes.
@@ -43,19 +44,24 @@ struct Source {
     std::string file;
     LoadOptions options;
     Log log;
-    std::vector<std::uint8_t> bytes;           ///< The file.
+    std::span<const std::uint8_t> bytes;       ///< The file.
     std::span<const std::uint8_t> jsonText;    ///< In `bytes`.
     std::span<const std::uint8_t> binaryChunk; ///< In `bytes`; empty in a .gltf.
     std::vector<Buffer> buffers;
     std::vector<EncodedImage> images;
     int placeholderView = kNone; ///< Stands for "no buffer view" while tinygltf parses.
     tinygltf::Model model;       ///< Its own buffers and images are empty shells.
-    std::size_t vertices = 0;    ///< Read so far, with indices.
+    std::size_t charged = 0;     ///< Bytes, of LoadOptions::maxMemoryBytes.
     std::optional<Error> error;
     std::set<std::string> warned;
 
     /// Records an error at the JSON path `where`; false, to be returned.
     bool fail(std::string_view code, const std::string& where, std::string what, std::string remedy = {});
+    /// Takes `count` times `bytesEach` from the memory that the file may use, for `where`, before it is
+    /// allocated. Nothing is ever given back: so it bounds the work as well.
+    bool charge(std::size_t count, std::size_t bytesEach, const std::string& where);
+    /// What is left of it.
+    std::size_t room() const { return options.maxMemoryBytes - charged; }
     /// Logs a warning at the JSON path `where`.
     void warn(const std::string& where, const std::string& what) const;
     /// Logs a warning whose text was not there before.
@@ -84,26 +90,28 @@ std::string pathOf(const Parts&... parts) {
 
 inline std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
-// gltf_container.cpp, gltf_json.cpp, gltf_resources.cpp: what comes before a parser that trusts its input.
+// gltf_container.cpp, gltf_gate.cpp, gltf_json.cpp, gltf_resources.cpp: what comes before a parser that
+// trusts its input.
 
 /// Finds the JSON text and the binary chunk in Source::bytes.
 bool openContainer(Source& source);
-/// Checks depth, version and required extensions, fills Source::buffers and Source::images but for their
-/// bytes, and returns JSON for tinygltf in which nothing refers to anything outside it.
+/// Checks the syntax, depth and size of the JSON text.
+bool checkJson(Source& source);
+/// checkJson(); checks version, required extensions, and names and types of all properties; fills
+/// Source::buffers and Source::images but for their bytes; and returns JSON for tinygltf that it accepts and
+/// in which nothing refers to anything outside it.
 bool readJson(Source& source, std::string& text);
-/// Fills the bytes, from the binary chunk, data URIs, and files in `folder` or below.
-void loadResources(Source& source, const std::filesystem::path& folder);
+/// Fills the bytes, from the binary chunk, data URIs, and files in `folder` or below (none: no files). Fails
+/// only where it would be too much.
+bool loadResources(Source& source, const std::filesystem::path* folder);
 
 // gltf_uri.cpp
 
-/// The whole file; an empty `problem` means success.
-std::vector<std::uint8_t> readFile(const std::filesystem::path& path, std::size_t maxBytes,
-                                   std::string& problem);
-/// What a data URI holds, or the file in `folder` that a relative one names. No scheme, no absolute path and
-/// no
-/// ".." is followed.
-std::vector<std::uint8_t> readUri(const std::string& uri, const std::filesystem::path& folder,
-                                  std::size_t maxBytes, std::string& problem);
+/// What a data URI holds, or the file in `folder` that a relative one names. No scheme, no absolute path, no
+/// ".." and no symbolic link out of the folder is followed. Fails with "gltf.uri", "file.outside",
+/// "file.open" or "file.size".
+Result<std::vector<std::uint8_t>> readUri(const std::string& uri, const std::filesystem::path* folder,
+                                          std::size_t maxBytes);
 
 // gltf_validate_data.cpp and gltf_validate_tree.cpp: what has to hold for the parsed model. After these two,
 // every index in Source::model is in range, every accessor lies inside its buffer and every attribute has a
@@ -177,6 +185,8 @@ bool applySkin(Source& source, const tinygltf::Primitive& from, const std::strin
 // gltf_view.cpp: the camera and the light of that number, without their place in the world.
 
 bool readCamera(Source& source, int index, Camera& camera);
+/// False, with a warning, for a type that is none of directional, point and spot.
+bool isKnownLight(Source& source, int index);
 bool readLight(Source& source, int index, Light& light);
 
 // gltf_node.cpp

@@ -3,16 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
-#include "gltf_internal.h"
+#include "gltf_schema.h"
 
 namespace franken::gltf {
 namespace {
 
-using Json = nlohmann::json;
-
-constexpr int kMaxDepth = 64;
 constexpr std::array<std::string_view, 5> kKnownExtensions{
     "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
     "KHR_texture_transform"};
@@ -28,37 +23,12 @@ const Json& member(const Json& object, const char* key) {
     return found == object.end() ? kNull : *found;
 }
 
-// Counted on the text, before anything is built from it, for tinygltf goes down by recursion.
-bool isTooDeep(std::span<const std::uint8_t> text) {
-    int depth = 0;
-    bool inString = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = static_cast<char>(text[i]);
-        if (inString && c == '\\')
-            ++i; // what is escaped ends no string
-        else if (c == '"')
-            inString = !inString;
-        else if (!inString && (c == '{' || c == '[') && ++depth > kMaxDepth)
-            return true;
-        else if (!inString && (c == '}' || c == ']'))
-            --depth;
-    }
-    return false;
-}
-
 bool parseText(Source& source, Json& root) {
-    if (isTooDeep(source.jsonText))
-        return source.fail("gltf.limit", "",
-                           "the JSON is nested more than " + std::to_string(kMaxDepth) + " deep");
-    try {
-        root = Json::parse(source.jsonText.begin(), source.jsonText.end());
-    } catch (const Json::exception& exception) { // a syntax error, or a number that no double holds
-        return source.fail("gltf.json", "",
-                           std::string("the file's JSON cannot be read: ") + exception.what(),
-                           "check that the file is a .gltf or .glb, and complete");
-    }
-    return root.is_object() ||
-           source.fail("gltf.json", "", "the file's JSON is not an object", std::string(kFixExporter));
+    if (!checkJson(source))
+        return false;
+    root = Json::parse(source.jsonText.begin(), source.jsonText.end());
+    return root.is_object() || source.fail("gltf.json", "", "the file's JSON is not an object",
+                                           "check that the file is a .gltf or .glb");
 }
 
 bool checkVersion(Source& source, const Json& root) {
@@ -126,37 +96,90 @@ void makeIntegers(Json& value) {
     }
 }
 
-std::string takeUri(Json& object) {
-    const Json uri = member(object, "uri");
-    return uri.is_string() ? uri.get<std::string>() : std::string();
+// What an object is, a word in it says, and that it needs a member of that name.
+bool checkChoice(Source& source, const Json& object, const std::string& where) {
+    const auto& type = object["type"].get_ref<const std::string&>();
+    return object.contains(type) || source.fail("gltf.schema", where, "the property " + type + " is missing",
+                                                std::string(kFixExporter));
+}
+
+bool checkCamera(Source& source, const Json& camera, const std::string& where) {
+    if (camera["type"] == "perspective" || camera["type"] == "orthographic")
+        return checkChoice(source, camera, where);
+    return source.fail("gltf.value", where + "/type", "a camera is perspective or orthographic",
+                       std::string(kFixExporter));
+}
+
+bool checkAccessorType(Source& source, Json& accessor, const std::string& where) {
+    constexpr std::array<int, 6> kComponents{5120, 5121, 5122, 5123, 5125, 5126};
+    const int component = accessor["componentType"].get<int>();
+    if (std::find(kComponents.begin(), kComponents.end(), component) == kComponents.end())
+        return source.fail("gltf.type", where + "/componentType",
+                           "there is no component type " + std::to_string(component),
+                           std::string(kFixExporter));
+    constexpr std::array<std::string_view, 7> kTypes{"SCALAR", "VEC2", "VEC3", "VEC4",
+                                                     "MAT2",   "MAT3", "MAT4"};
+    const auto& type = accessor["type"].get_ref<const std::string&>();
+    if (std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end())
+        return true;
+    source.warn(where + "/type", "the element type " + type + " is not known; nothing can use it");
+    accessor = {{"componentType", component}, {"count", 1}, {"type", "MAT2"}}; // which nothing takes
+    return true;
+}
+
+bool checkStride(Source& source, const Json& view, const std::string& where) {
+    const Json& stride = member(view, "byteStride");
+    const std::size_t bytes = stride.is_null() ? 4 : stride.get<std::size_t>();
+    return (bytes >= 4 && bytes <= 252 && bytes % 4 == 0) ||
+           source.fail("gltf.value", where + "/byteStride", "a stride is a multiple of 4 from 4 to 252",
+                       std::string(kFixExporter));
+}
+
+// The rest of what tinygltf refuses, because it says nowhere of which object it speaks.
+bool checkWords(Source& source, Json& root) {
+    const auto forEach = [](Json& object, const std::string& name, const auto& check) {
+        if (object.contains(name))
+            for (std::size_t i = 0; i < object[name].size(); ++i)
+                if (!check(object[name][i], pathOf(name, i)))
+                    return false;
+        return true;
+    };
+    const auto checkLight = [&](const Json& light, const std::string& where) {
+        return light["type"] != "spot" ||
+               checkChoice(source, light, "/extensions/KHR_lights_punctual" + where);
+    };
+    Json& extensions = root["extensions"];
+    const auto with = [&source](const auto& check) {
+        return [&source, &check](Json& object, const std::string& where) {
+            return check(source, object, where);
+        };
+    };
+    return forEach(root, "accessors", with(checkAccessorType)) &&
+           forEach(root, "bufferViews", with(checkStride)) && forEach(root, "cameras", with(checkCamera)) &&
+           (!extensions.contains("KHR_lights_punctual") ||
+            forEach(extensions["KHR_lights_punctual"], "lights", checkLight));
+}
+
+std::string takeString(Json& object, const char* key) {
+    return object.contains(key) ? std::move(object[key].get_ref<std::string&>()) : std::string();
 }
 
 // Notes where buffers and images come from, and gives tinygltf a byte for each, so that it opens no file,
 // decodes no text and looks into no buffer.
 bool takeResources(Source& source, Json& root) {
     const char* const kOneByte = "data:application/octet-stream;base64,AA==";
-    for (std::size_t i = 0; member(root, "buffers").is_array() && i < root["buffers"].size(); ++i) {
-        Json& buffer = root["buffers"][i];
-        const Json& length = member(buffer, "byteLength");
-        if (!length.is_number_unsigned())
-            return source.fail("gltf.type", pathOf("buffers", i, "byteLength"),
-                               "a buffer has a length in bytes", std::string(kFixExporter));
-        source.buffers.push_back({takeUri(buffer), length.get<std::size_t>(), {}, {}, {}});
+    for (Json& buffer : root["buffers"]) {
+        const auto length = buffer["byteLength"].get<std::size_t>();
+        const bool hasUri = buffer.contains("uri");
+        source.buffers.push_back({takeString(buffer, "uri"), hasUri, length, {}, {}, {}});
         buffer = {{"byteLength", 1}, {"uri", kOneByte}};
     }
-    for (std::size_t i = 0; member(root, "images").is_array() && i < root["images"].size(); ++i) {
-        Json& image = root["images"][i];
-        const Json& view = member(image, "bufferView");
-        const std::string uri = takeUri(image);
-        if (view.is_number() == !uri.empty())
-            return source.fail("gltf.type", pathOf("images", i), "an image has either a buffer view or a URI",
-                               std::string(kFixExporter));
-        const Json& name = member(image, "name");
-        source.images.push_back({name.is_string() ? name.get<std::string>() : "",
-                                 uri,
-                                 view.is_number() ? view.get<int>() : kNone,
-                                 {},
-                                 {}});
+    for (Json& image : root["images"]) {
+        if (image.contains("bufferView") == image.contains("uri"))
+            return source.fail("gltf.schema", pathOf("images", source.images.size()),
+                               "an image has either a buffer view or a URI", std::string(kFixExporter));
+        source.images.push_back(
+            {takeString(image, "name"), takeString(image, "uri"), image.value("bufferView", kNone), {}, {}});
         image = {{"uri", kOneByte}};
     }
     return true;
@@ -165,20 +188,42 @@ bool takeResources(Source& source, Json& root) {
 // tinygltf refuses indices without a view, which glTF allows (they are zero); it gets one that is taken back.
 bool addPlaceholderView(Source& source, Json& root) {
     Json& views = root["bufferViews"];
-    if (!views.is_array() && !views.is_null())
-        return source.fail("gltf.type", "/bufferViews", "an array is expected here",
-                           std::string(kFixExporter));
     source.placeholderView = static_cast<int>(views.size());
-    for (std::size_t i = 0; member(root, "accessors").is_array() && i < root["accessors"].size(); ++i) {
-        Json& accessor = root["accessors"][i];
-        if (member(accessor, "bufferView") == source.placeholderView)
+    Json& accessors = root["accessors"];
+    for (std::size_t i = 0; i < accessors.size(); ++i) {
+        if (!accessors[i].contains("bufferView"))
+            accessors[i]["bufferView"] = source.placeholderView;
+        else if (accessors[i]["bufferView"] == source.placeholderView)
             return checkPresent(source, source.placeholderView, views.size(),
                                 pathOf("accessors", i, "bufferView"));
-        if (accessor.is_object() && !accessor.contains("bufferView"))
-            accessor["bufferView"] = source.placeholderView;
     }
     views.push_back({{"buffer", 0}, {"byteLength", 1}});
     return true;
+}
+
+// tinygltf's objects are much larger than what JSON says of them, and its arrays grow by doubling: for a
+// moment there are up to three places for each element.
+bool chargeObjects(Source& source, const Json& root) {
+    const auto charge = [&](const Json& array, std::size_t bytes, const std::string& where) {
+        return source.charge(array.size(), 3 * bytes, where);
+    };
+    const Json& lights = member(member(member(root, "extensions"), "KHR_lights_punctual"), "lights");
+    for (const Json& mesh : member(root, "meshes"))
+        if (!charge(mesh["primitives"], sizeof(tinygltf::Primitive), "/meshes"))
+            return false;
+    return charge(member(root, "buffers"), sizeof(tinygltf::Buffer) + sizeof(Buffer), "/buffers") &&
+           charge(member(root, "bufferViews"), sizeof(tinygltf::BufferView), "/bufferViews") &&
+           charge(member(root, "accessors"), sizeof(tinygltf::Accessor), "/accessors") &&
+           charge(member(root, "images"), sizeof(tinygltf::Image) + sizeof(EncodedImage), "/images") &&
+           charge(member(root, "samplers"), sizeof(tinygltf::Sampler), "/samplers") &&
+           charge(member(root, "textures"), sizeof(tinygltf::Texture), "/textures") &&
+           charge(member(root, "materials"), sizeof(tinygltf::Material) + sizeof(Material), "/materials") &&
+           charge(member(root, "meshes"), sizeof(tinygltf::Mesh), "/meshes") &&
+           charge(member(root, "skins"), sizeof(tinygltf::Skin), "/skins") &&
+           charge(member(root, "cameras"), sizeof(tinygltf::Camera), "/cameras") &&
+           charge(member(root, "nodes"), sizeof(tinygltf::Node) + sizeof(Instance), "/nodes") &&
+           charge(member(root, "scenes"), sizeof(tinygltf::Scene), "/scenes") &&
+           charge(lights, sizeof(tinygltf::Light), "/extensions/KHR_lights_punctual/lights");
 }
 
 } // namespace
@@ -189,7 +234,10 @@ bool readJson(Source& source, std::string& text) {
         !checkDraco(source, root))
         return false;
     makeIntegers(root);
-    if (!takeResources(source, root) || !addPlaceholderView(source, root))
+    if (!member(root, "animations").empty())
+        source.warn("/animations", "animations are not played; the file is shown at rest");
+    if (!checkSchema(source, root) || !checkWords(source, root) || !chargeObjects(source, root) ||
+        !takeResources(source, root) || !addPlaceholderView(source, root))
         return false;
     text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     return true;

@@ -3,21 +3,50 @@
 #include <exception>
 #include <new>
 
+#include "file.h"
 #include "gltf_internal.h"
 
 namespace franken {
 namespace gltf {
 
+namespace {
+
+constexpr std::size_t kMaxParserBytes = 0xFFFFFFFF; ///< tinygltf counts in 32 bits.
+
+// Names and words of a file end up on terminals and in logs: on one line, and without what steers a terminal.
+std::string printable(std::string text) {
+    constexpr std::size_t kMaxChars = 400;
+    if (text.size() > kMaxChars)
+        text = text.substr(0, kMaxChars) + "...";
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+            c = '?';
+    return text;
+}
+
+} // namespace
+
 bool Source::fail(std::string_view code, const std::string& where, std::string what, std::string remedy) {
     if (!error)
-        error = Error{std::string(code), where.empty() ? file : file + ": " + where, std::move(what),
-                      std::move(remedy)};
+        error = Error{std::string(code), where.empty() ? file : file + ": " + printable(where),
+                      printable(std::move(what)), std::move(remedy)};
     return false;
+}
+
+bool Source::charge(std::size_t count, std::size_t bytesEach, const std::string& where) {
+    if (count > room() / bytesEach)
+        return fail("gltf.limit", where,
+                    "the file needs more memory than the limit of " +
+                        std::to_string(options.maxMemoryBytes >> 20) + " MiB",
+                    "make the model smaller, or raise LoadOptions::maxMemoryBytes");
+    charged += count * bytesEach;
+    return true;
 }
 
 void Source::warn(const std::string& where, const std::string& what) const {
     if (log)
-        log(LogLevel::Warning, (where.empty() ? file : file + ": " + where) + ": " + what);
+        log(LogLevel::Warning,
+            (where.empty() ? file : file + ": " + printable(where)) + ": " + printable(what));
 }
 
 void Source::warnOnce(const std::string& what) {
@@ -58,42 +87,54 @@ bool parse(Source& source, const std::string& text) {
     return true;
 }
 
-bool load(Source& source, const std::filesystem::path& path, Scene& scene) {
-    std::string problem, text;
-    // tinygltf counts in 32 bits.
-    source.bytes = readFile(path, std::min<std::size_t>(source.options.maxFileBytes, 0xFFFFFFFF), problem);
-    if (!problem.empty())
-        return source.fail("gltf.file", "", problem,
-                           "check that it exists, may be read, and is within the limits");
-    if (!openContainer(source) || !readJson(source, text) || !parse(source, text))
+bool load(Source& source, const std::filesystem::path* folder, Scene& scene) {
+    std::string text;
+    if (!source.charge(source.bytes.size(), 1, "") || !openContainer(source) || !readJson(source, text) ||
+        !parse(source, text))
         return false;
-    if (!validateData(source) || !validateTree(source))
-        return false;
-    loadResources(source, path.parent_path());
-    if (!source.model.animations.empty())
-        source.warn("/animations", "animations are not played; the file is shown at rest");
-    return readMaterials(source, scene) && readNodes(source, scene);
+    text = {};
+    return validateData(source) && validateTree(source) && loadResources(source, folder) &&
+           readMaterials(source, scene) && readNodes(source, scene);
+}
+
+Result<Scene> loadBytes(std::span<const std::uint8_t> bytes, const std::string& name,
+                        const std::filesystem::path* folder, const LoadOptions& options, const Log& log) {
+    Source source;
+    source.file = name;
+    source.options = options;
+    source.log = log;
+    source.bytes = bytes;
+    Scene scene;
+    try {
+        if (load(source, folder, scene))
+            return scene;
+    } catch (const std::bad_alloc&) {
+        source.fail("gltf.limit", "", "there is not enough memory for the file", "make the model smaller");
+    } catch (const std::exception& exception) {
+        source.fail("gltf.json", "", std::string("the parser gives up: ") + exception.what(),
+                    std::string(kFixExporter));
+    }
+    return *std::move(source.error);
 }
 
 } // namespace
 } // namespace gltf
 
 Result<Scene> loadGltf(const std::filesystem::path& path, const LoadOptions& options, const Log& log) {
-    gltf::Source source;
-    source.file = path.string();
-    source.options = options;
-    source.log = log;
-    Scene scene;
-    try {
-        if (gltf::load(source, path, scene))
-            return scene;
-    } catch (const std::bad_alloc&) {
-        source.fail("gltf.limit", "", "there is not enough memory for the file", "make the model smaller");
-    } catch (const std::exception& exception) {
-        source.fail("gltf.json", "", std::string("the parser gives up: ") + exception.what(),
-                    std::string(gltf::kFixExporter));
-    }
-    return *std::move(source.error);
+    const auto bytes = readFile(path, std::min(options.maxFileBytes, gltf::kMaxParserBytes));
+    if (!bytes)
+        return Error{"gltf.file", path.string(), bytes.error().what, bytes.error().remedy};
+    const std::filesystem::path folder = path.parent_path();
+    return gltf::loadBytes(*bytes, path.string(), &folder, options, log);
+}
+
+Result<Scene> loadGltf(std::span<const std::uint8_t> file, const std::string& name,
+                       const LoadOptions& options, const Log& log) {
+    const std::size_t limit = std::min(options.maxFileBytes, gltf::kMaxParserBytes);
+    if (file.size() > limit)
+        return Error{"gltf.file", name, "the file is over the limit of " + std::to_string(limit) + " bytes",
+                     "make it smaller, or raise the limit"};
+    return gltf::loadBytes(file, name, nullptr, options, log);
 }
 
 } // namespace franken

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <numeric>
 
 #include <glm/geometric.hpp>
@@ -109,30 +110,50 @@ int materialOf(const tinygltf::Primitive& from, Scene& scene, std::size_t fileMa
     return static_cast<int>(fileMaterials);
 }
 
+// A buffer without URI, and not the binary chunk: glTF 2.0, 3.6.1.1, leaves its bytes to others.
+bool lacksData(const Source& source, const tinygltf::Primitive& from) {
+    const auto lacks = [&source](int accessor) {
+        const int view = source.model.accessors[at(accessor)].bufferView;
+        if (view == kNone)
+            return false;
+        const Buffer& buffer = source.buffers[at(source.model.bufferViews[at(view)].buffer)];
+        return buffer.bytes.empty() && !buffer.hasUri && source.binaryChunk.empty();
+    };
+    return std::any_of(from.attributes.begin(), from.attributes.end(),
+                       [&](const auto& attribute) { return lacks(attribute.second); }) ||
+           (from.indices != kNone && lacks(from.indices));
+}
+
 bool isDrawable(Source& source, const tinygltf::Primitive& from, const std::string& where) {
     if (from.mode < TINYGLTF_MODE_TRIANGLES)
         source.warnOnce("points and lines are not drawn");
     else if (find(from, "POSITION") == kNone)
         source.warn(where, "a primitive without positions is not drawn");
+    else if (lacksData(source, from))
+        source.warn(where, "a primitive whose buffer has neither URI nor data is not drawn");
     else
         return true;
     return false;
 }
 
-// A small file can ask for the same accessors again and again.
-bool countVertices(Source& source, const tinygltf::Primitive& from, const std::string& where) {
-    source.vertices += source.model.accessors[at(find(from, "POSITION"))].count;
-    if (from.indices != kNone)
-        source.vertices += source.model.accessors[at(from.indices)].count;
-    return source.vertices <= source.options.maxVertices ||
-           source.fail("gltf.limit", where,
-                       "the file has more than " + std::to_string(source.options.maxVertices) + " vertices",
-                       "simplify the model, or raise LoadOptions::maxVertices");
+// A small file can ask for the same accessors again and again, or for accessors that have no bytes.
+bool chargePrimitive(Source& source, const tinygltf::Primitive& from, const std::string& where) {
+    constexpr std::size_t kVertexBytes = 72;   // all attributes of a Primitive
+    constexpr std::size_t kTangentBytes = 192; // computeTangents(), where it has to split every corner
+    const std::size_t vertices = source.model.accessors[at(find(from, "POSITION"))].count;
+    const std::size_t read =
+        from.indices == kNone ? vertices : source.model.accessors[at(from.indices)].count;
+    const std::size_t corners = from.mode == TINYGLTF_MODE_TRIANGLES ? read : 3 * read;
+    const bool flat = find(from, "NORMAL") == kNone;
+    const bool tangents = (flat || find(from, "TANGENT") == kNone) && from.material != kNone &&
+                          source.model.materials[at(from.material)].normalTexture.index != kNone;
+    return source.charge(vertices, kVertexBytes, where) && source.charge(read, 4, where) &&
+           source.charge(corners, 4 + (flat ? kVertexBytes : 0) + (tangents ? kTangentBytes : 0), where);
 }
 
 bool readPrimitive(Source& source, const tinygltf::Primitive& from, const std::string& where,
                    const Pose& pose, Scene& scene, Primitive& primitive) {
-    if (!countVertices(source, from, where) || !readAttributes(source, from, primitive) ||
+    if (!chargePrimitive(source, from, where) || !readAttributes(source, from, primitive) ||
         !readTriangles(source, from, where, primitive))
         return false;
     if (!applyMorph(source, from, where, pose.weights, primitive) ||

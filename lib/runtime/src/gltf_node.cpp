@@ -119,10 +119,13 @@ private:
 
 bool Walker::readJointMatrices(int index, std::vector<glm::mat4>& joints) {
     const tinygltf::Skin& skin = m_source.model.skins[at(index)];
+    const std::size_t matrices =
+        skin.inverseBindMatrices == kNone ? 0 : m_source.model.accessors[at(skin.inverseBindMatrices)].count;
+    if (!m_source.charge(skin.joints.size() + matrices, sizeof(glm::mat4), pathOf("skins", index)))
+        return false;
     joints.assign(skin.joints.size(), glm::mat4(1.0f));
     if (skin.inverseBindMatrices != kNone) {
-        const std::size_t count = m_source.model.accessors[at(skin.inverseBindMatrices)].count;
-        std::vector<float> numbers(count * 16);
+        std::vector<float> numbers(matrices * 16);
         if (!readFloats(m_source, skin.inverseBindMatrices, numbers))
             return false;
         for (std::size_t j = 0; j < joints.size(); ++j)
@@ -190,15 +193,15 @@ bool Walker::addCamera(int index) {
 bool Walker::addLight(int index) {
     const tinygltf::Node& node = m_source.model.nodes[at(index)];
     const auto found = node.extensions.find("KHR_lights_punctual");
-    if (found == node.extensions.end() || !found->second.IsObject() || !found->second.Has("light"))
+    if (found == node.extensions.end())
         return true;
     const tinygltf::Value& number = found->second.Get("light");
-    const std::string where = pathOf("nodes", index, "extensions/KHR_lights_punctual/light");
-    if (!number.IsInt() ||
-        !checkPresent(m_source, number.GetNumberAsInt(), m_source.model.lights.size(), where))
-        return m_source.fail("gltf.index-range", where, "the index of a light is a number",
-                             std::string(kFixExporter));
+    if (!checkPresent(m_source, number.GetNumberAsInt(), m_source.model.lights.size(),
+                      pathOf("nodes", index, "extensions/KHR_lights_punctual/light")))
+        return false;
     Light light;
+    if (!isKnownLight(m_source, number.GetNumberAsInt()))
+        return true;
     if (!readLight(m_source, number.GetNumberAsInt(), light))
         return false;
     const glm::mat4& world = m_worlds[at(index)];

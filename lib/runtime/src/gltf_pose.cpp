@@ -12,7 +12,8 @@ namespace {
 
 bool addDeltas(Source& source, int accessor, float weight, std::vector<glm::vec3>& to) {
     std::vector<glm::vec3> deltas;
-    if (!readVectors(source, accessor, deltas))
+    if (!source.charge(to.size(), sizeof(glm::vec3), pathOf("accessors", accessor)) ||
+        !readVectors(source, accessor, deltas))
         return false;
     for (std::size_t i = 0; i < to.size(); ++i)
         to[i] += weight * deltas[i];
@@ -21,7 +22,8 @@ bool addDeltas(Source& source, int accessor, float weight, std::vector<glm::vec3
 
 bool addTangentDeltas(Source& source, int accessor, float weight, std::vector<glm::vec4>& to) {
     std::vector<glm::vec3> deltas;
-    if (!readVectors(source, accessor, deltas))
+    if (!source.charge(to.size(), sizeof(glm::vec3), pathOf("accessors", accessor)) ||
+        !readVectors(source, accessor, deltas))
         return false;
     for (std::size_t i = 0; i < to.size(); ++i)
         to[i] += glm::vec4(weight * deltas[i], 0.0f); // a target never flips the handedness
@@ -78,7 +80,8 @@ bool applySkin(Source& source, const tinygltf::Primitive& from, const std::strin
     }
     std::vector<glm::uvec4> numbers;
     std::vector<glm::vec4> weights;
-    if (!readJoints(source, jointsAt->second, numbers) || !readVectors(source, weightsAt->second, weights))
+    if (!source.charge(primitive.positions.size(), sizeof(glm::uvec4) + sizeof(glm::vec4), where) ||
+        !readJoints(source, jointsAt->second, numbers) || !readVectors(source, weightsAt->second, weights))
         return false;
     if (from.attributes.contains("JOINTS_1"))
         source.warnOnce("more than four joints for a vertex are left out");

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <fstream>
-
+#include "file.h"
 #include "gltf_internal.h"
 
 namespace franken::gltf {
@@ -39,8 +37,12 @@ int base64Digit(char c) {
     return c == '+' ? 62 : c == '/' ? 63 : -1;
 }
 
+Error uriError(std::string what) {
+    return {"gltf.uri", "", std::move(what), "name a file next to the model, by a relative path"};
+}
+
 // RFC 4648, 4.
-std::vector<std::uint8_t> decodeBase64(std::string_view text, std::string& problem) {
+Result<std::vector<std::uint8_t>> decodeBase64(std::string_view text) {
     while (!text.empty() && text.back() == '=')
         text.remove_suffix(1);
     std::vector<std::uint8_t> bytes;
@@ -48,10 +50,8 @@ std::vector<std::uint8_t> decodeBase64(std::string_view text, std::string& probl
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const int digit = base64Digit(text[i]);
-        if (digit < 0) {
-            problem = "its data URI is not base64";
-            return {};
-        }
+        if (digit < 0)
+            return uriError("its data URI is not base64");
         bits = bits << 6 | static_cast<std::uint32_t>(digit);
         if (i % 4 != 0)
             bytes.push_back(static_cast<std::uint8_t>(bits >> (6 - i % 4 * 2)));
@@ -60,58 +60,36 @@ std::vector<std::uint8_t> decodeBase64(std::string_view text, std::string& probl
 }
 
 // RFC 2397: data:[type][;base64],data
-std::vector<std::uint8_t> decodeDataUri(std::string_view uri, std::string& problem) {
+Result<std::vector<std::uint8_t>> decodeDataUri(std::string_view uri, std::size_t maxBytes) {
     const std::size_t comma = uri.find(',');
-    if (comma == std::string_view::npos) {
-        problem = "its data URI has no data";
-        return {};
-    }
+    if (comma == std::string_view::npos)
+        return uriError("its data URI has no data");
+    if (uri.size() - comma > maxBytes)
+        return Error{"file.size", "", "its data URI is larger than the limit of " + std::to_string(maxBytes),
+                     ""};
     if (uri.substr(0, comma).ends_with(";base64"))
-        return decodeBase64(uri.substr(comma + 1), problem);
+        return decodeBase64(uri.substr(comma + 1));
     const std::string plain = decodePercent(uri.substr(comma + 1));
-    return {plain.begin(), plain.end()};
-}
-
-bool isConfined(const std::filesystem::path& path) {
-    return path.is_relative() && std::find(path.begin(), path.end(), "..") == path.end();
+    return std::vector<std::uint8_t>(plain.begin(), plain.end());
 }
 
 } // namespace
 
-std::vector<std::uint8_t> readFile(const std::filesystem::path& path, std::size_t maxBytes,
-                                   std::string& problem) {
-    std::error_code error;
-    const auto size =
-        std::filesystem::is_regular_file(path, error) ? std::filesystem::file_size(path, error) : 0;
-    std::ifstream file(path, std::ios::binary);
-    if (error || !file || !std::filesystem::is_regular_file(path, error)) {
-        problem = "the file " + path.filename().string() + " cannot be opened";
-        return {};
-    }
-    if (size > maxBytes) {
-        problem = "the file " + path.filename().string() + " has " + std::to_string(size) +
-                  " bytes, over the limit of " + std::to_string(maxBytes);
-        return {};
-    }
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    if (size > 0 && !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
-        problem = "the file " + path.filename().string() + " cannot be read";
-    return bytes;
-}
-
-std::vector<std::uint8_t> readUri(const std::string& uri, const std::filesystem::path& folder,
-                                  std::size_t maxBytes, std::string& problem) {
+Result<std::vector<std::uint8_t>> readUri(const std::string& uri, const std::filesystem::path* folder,
+                                          std::size_t maxBytes) {
     if (uri.starts_with("data:"))
-        return decodeDataUri(uri, problem);
+        return decodeDataUri(uri, maxBytes);
+    if (!folder)
+        return uriError("it is in another file, " + uri.substr(0, kShownChars) + ", and there is no folder");
     const std::string decoded = decodePercent(uri);
     // RFC 3986, 4.2: a colon in the first segment ends a scheme.
     const std::size_t colon = decoded.find(':');
     const bool hasScheme = colon != std::string::npos && colon < decoded.find('/');
-    if (hasScheme || decoded.find('\0') != std::string::npos || !isConfined(decoded)) {
-        problem = "only files in the model's folder are read, and " + uri.substr(0, kShownChars) + " is none";
-        return {};
-    }
-    return readFile(folder / decoded, maxBytes, problem);
+    if (hasScheme || decoded.find('\0') != std::string::npos)
+        return uriError("only files in the model's folder are read, and " + uri.substr(0, kShownChars) +
+                        " is none");
+    const Result<std::filesystem::path> path = findBelow(*folder, decoded);
+    return path ? readFile(*path, maxBytes) : path.error();
 }
 
 } // namespace franken::gltf

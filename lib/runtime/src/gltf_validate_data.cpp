@@ -11,6 +11,8 @@ constexpr int kByte = TINYGLTF_COMPONENT_TYPE_BYTE, kUByte = TINYGLTF_COMPONENT_
               kShort = TINYGLTF_COMPONENT_TYPE_SHORT, kUShort = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
               kUInt = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kFloat = TINYGLTF_COMPONENT_TYPE_FLOAT;
 
+constexpr std::size_t kMaxElements = 0x7FFFFFFF;
+
 std::size_t componentSize(int type) {
     return at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
 }
@@ -73,19 +75,33 @@ bool checkSparse(Source& source, const tinygltf::Accessor& accessor, std::size_t
                       where + "/values");
 }
 
+// What `min` and `max` say is not believed, but has to make sense.
+bool checkExtent(Source& source, const tinygltf::Accessor& accessor, const std::string& where) {
+    const std::vector<double>&least = accessor.minValues, &most = accessor.maxValues;
+    for (const std::vector<double>* values : {&least, &most})
+        if (!values->empty() && values->size() != at(width(accessor)))
+            return typeError(source, where + (values == &least ? "/min" : "/max"),
+                             "there is a number for each component, or none");
+    if (!checkFinite(source, least, where + "/min") || !checkFinite(source, most, where + "/max"))
+        return false;
+    for (std::size_t i = 0; i < std::min(least.size(), most.size()); ++i)
+        if (least[i] > most[i])
+            return source.fail("gltf.value", where + "/min" + pathOf(i), "the minimum is above the maximum",
+                               std::string(kFixExporter));
+    return true;
+}
+
 bool checkAccessor(Source& source, std::size_t index) {
     const tinygltf::Accessor& accessor = source.model.accessors[index];
     const std::string where = pathOf("accessors", index);
-    if (!isOneOf(accessor.componentType, {kByte, kUByte, kShort, kUShort, kUInt, kFloat}))
-        return typeError(source, where + "/componentType",
-                         "there is no component type " + std::to_string(accessor.componentType));
     if (accessor.count < 1)
         return typeError(source, where + "/count", "an accessor has at least one element");
-    if (accessor.count > source.options.maxElements)
+    if (accessor.count > kMaxElements)
         return source.fail("gltf.limit", where + "/count",
-                           std::to_string(accessor.count) + " elements are over the limit of " +
-                               std::to_string(source.options.maxElements),
-                           "split or simplify the mesh, or raise LoadOptions::maxElements");
+                           std::to_string(accessor.count) + " elements are more than 32-bit indices reach",
+                           "split the mesh");
+    if (!checkExtent(source, accessor, where))
+        return false;
     const std::size_t size = componentSize(accessor.componentType) * at(width(accessor));
     if (accessor.bufferView != kNone &&
         !checkRange(source, accessor.bufferView, accessor.byteOffset, accessor.count, size, true, where))

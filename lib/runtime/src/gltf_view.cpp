@@ -35,6 +35,15 @@ bool readCamera(Source& source, int index, Camera& camera) {
                        std::string(kFixExporter));
 }
 
+bool isKnownLight(Source& source, int index) {
+    const std::string& type = source.model.lights[at(index)].type;
+    if (type == "directional" || type == "point" || type == "spot")
+        return true;
+    source.warn(pathOf("extensions/KHR_lights_punctual/lights", index),
+                "a light of type " + type + " is not known: left out");
+    return false;
+}
+
 bool readLight(Source& source, int index, Light& light) {
     const tinygltf::Light& from = source.model.lights[at(index)];
     const std::string where = pathOf("extensions/KHR_lights_punctual/lights", index);
@@ -46,8 +55,6 @@ bool readLight(Source& source, int index, Light& light) {
         light.kind = Light::Kind::Point;
     else if (from.type == "spot")
         light.kind = Light::Kind::Spot;
-    else if (from.type != "directional")
-        return fail("a light is directional, point or spot");
     if (!from.color.empty() && from.color.size() != 3)
         return fail("a light's colour is three numbers");
     for (int i = 0; i < 3 && !from.color.empty(); ++i)

@@ -1,8 +1,50 @@
 // SPDX-License-Identifier: MIT
 #include "franken/image.h"
 
+#include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <memory>
+
+#include "image_header.h"
+
+namespace {
+
+/// What stb_image may still allocate on this thread. Its inflater grows as long as there is input, whatever
+/// the picture's header says, so the header's own sum is the limit.
+thread_local std::size_t allowance = 0;
+
+/// Before each block: how long it is.
+constexpr std::size_t kBlockHeader = alignof(std::max_align_t);
+static_assert(kBlockHeader >= sizeof(std::size_t));
+
+std::size_t blockSize(const void* block) {
+    std::size_t size = 0;
+    if (block)
+        std::memcpy(&size, static_cast<const char*>(block) - kBlockHeader, sizeof size);
+    return size;
+}
+
+void release(void* block) {
+    allowance += blockSize(block);
+    if (block)
+        std::free(static_cast<char*>(block) - kBlockHeader);
+}
+
+void* resize(void* block, std::size_t size) {
+    const std::size_t old = blockSize(block);
+    if (size > allowance + old)
+        return nullptr;
+    void* whole =
+        std::realloc(block ? static_cast<char*>(block) - kBlockHeader : nullptr, kBlockHeader + size);
+    if (!whole)
+        return nullptr;
+    allowance = allowance + old - size;
+    std::memcpy(whole, &size, sizeof size);
+    return static_cast<char*>(whole) + kBlockHeader;
+}
+
+} // namespace
 
 // Its own copy of stb, not Debian's library, so that only the two decoders that glTF has are built in.
 #define STB_IMAGE_IMPLEMENTATION
@@ -10,44 +52,33 @@
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_NO_STDIO
+#define STBI_MALLOC(size) resize(nullptr, size)
+#define STBI_REALLOC(block, size) resize(block, size)
+#define STBI_FREE(block) release(block)
 #include <stb/stb_image.h>
 
 namespace franken {
-namespace {
-
-Error formatError() {
-    const char* reason = stbi_failure_reason();
-    return {"image.format", "",
-            std::string("the image is neither a PNG nor a JPEG: ") + (reason ? reason : "unknown"),
-            "save it again as PNG or JPEG"};
-}
-
-} // namespace
 
 Result<Image> decodeImage(std::span<const std::uint8_t> encoded, int maxSize) {
-    if (encoded.empty() || encoded.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-        return Error{"image.format", "", "the image has no data, or more than 2 GiB",
-                     "save it again as PNG or JPEG"};
-    const int size = static_cast<int>(encoded.size());
-
+    const Result<ImageHeader> header = readImageHeader(encoded, maxSize);
+    if (!header)
+        return header.error();
+    allowance = header->decodingBytes;
     int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(encoded.data(), size, &width, &height, &channels))
-        return formatError();
-    if (width < 1 || height < 1 || width > maxSize || height > maxSize)
-        return Error{"image.size", "",
-                     "the image is " + std::to_string(width) + " x " + std::to_string(height) +
-                         " pixels, the limit is " + std::to_string(maxSize),
-                     "scale it down"};
-
     const std::unique_ptr<stbi_uc, void (*)(void*)> pixels(
-        stbi_load_from_memory(encoded.data(), size, &width, &height, &channels, STBI_rgb_alpha),
+        stbi_load_from_memory(encoded.data(), static_cast<int>(encoded.size()), &width, &height, &channels,
+                              STBI_rgb_alpha),
         stbi_image_free);
-    if (!pixels)
-        return formatError();
+    if (!pixels || width != header->width || height != header->height) {
+        const char* reason = stbi_failure_reason();
+        return Error{"image.format", "",
+                     std::string("the image cannot be decoded: ") + (reason ? reason : "unknown"),
+                     "save it again as PNG or JPEG"};
+    }
     Image image;
     image.width = width;
     image.height = height;
-    image.rgba.assign(pixels.get(), pixels.get() + std::size_t{4} * width * height);
+    image.rgba.assign(pixels.get(), pixels.get() + header->pixelBytes());
     return image;
 }
 

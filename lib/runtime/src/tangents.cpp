@@ -232,30 +232,29 @@ void copyVertex(std::vector<T>& attribute, Index vertex) {
 
 // The first group at a vertex keeps it; each other one gets a copy.
 void Builder::store() {
-    std::vector<std::vector<std::pair<Index, Index>>> copies(m_primitive.positions.size()); // (group, vertex)
+    std::vector<Index> owner(m_primitive.positions.size(), kNoIndex);
+    std::unordered_map<std::uint64_t, Index> copies; // (vertex, group) -> the copy
     std::vector<glm::vec4>& tangents = m_primitive.tangents;
     tangents.assign(m_primitive.positions.size(), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
     for (Index corner = 0; corner < m_primitive.indices.size(); ++corner) {
         const Index vertex = m_primitive.indices[corner], group = m_groups.find(corner);
-        auto& known = copies[vertex];
-        auto found =
-            std::find_if(known.begin(), known.end(), [group](const auto& c) { return c.first == group; });
-        if (found == known.end()) {
-            const bool isFirst = known.empty();
-            known.emplace_back(group, isFirst ? vertex : static_cast<Index>(m_primitive.positions.size()));
-            found = known.end() - 1;
-            if (isFirst) {
-                tangents[vertex] = m_tangents[group];
-            } else {
-                copyVertex(m_primitive.positions, vertex);
-                copyVertex(m_primitive.normals, vertex);
-                copyVertex(m_primitive.uv[0], vertex);
-                copyVertex(m_primitive.uv[1], vertex);
-                copyVertex(m_primitive.colors, vertex);
-                tangents.push_back(m_tangents[group]);
-            }
+        if (owner[vertex] == kNoIndex) {
+            owner[vertex] = group;
+            tangents[vertex] = m_tangents[group];
         }
-        m_primitive.indices[corner] = found->second;
+        if (owner[vertex] == group)
+            continue;
+        const auto copy = static_cast<Index>(m_primitive.positions.size());
+        const auto [known, isNew] = copies.emplace(std::uint64_t{vertex} << 32 | group, copy);
+        m_primitive.indices[corner] = known->second;
+        if (isNew) {
+            copyVertex(m_primitive.positions, vertex);
+            copyVertex(m_primitive.normals, vertex);
+            copyVertex(m_primitive.uv[0], vertex);
+            copyVertex(m_primitive.uv[1], vertex);
+            copyVertex(m_primitive.colors, vertex);
+            tangents.push_back(m_tangents[group]);
+        }
     }
 }
 

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <span>
+#include <string>
 
 #include "franken/log.h"
 #include "franken/result.h"
@@ -12,10 +15,16 @@ namespace franken {
 
 /// How much of a file is believed. A file that asks for more is refused, not cut.
 struct LoadOptions {
-    std::size_t maxFileBytes = std::size_t{1} << 30; ///< Of the file, and of each that it refers to.
-    std::size_t maxElements = 4'194'304;             ///< Of one accessor, whether or not it has bytes.
-    std::size_t maxVertices = 16'777'216; ///< Of all meshes and poses together, indices counted too.
-    int maxImageSize = kMaxImageSize;     ///< Width and height of an image, pixels.
+    /// Of the file, and of each that it refers to.
+    std::size_t maxFileBytes = std::size_t{128} << 20;
+
+    /// Of all that loading allocates: files, parsed JSON, decoded images and vertices, counted before they
+    /// are allocated and never given back. Some 16 MiB go uncounted (code, and what the allocator rounds up),
+    /// so that a process that loads any file at all stays below 256 MiB. That is much for a Raspberry Pi 3,
+    /// and little for a film's set: 12 textures of 2048 x 2048, or two million vertices.
+    std::size_t maxMemoryBytes = std::size_t{240} << 20;
+
+    int maxImageSize = kMaxImageSize; ///< Width and height of an image, pixels.
 };
 
 /// Reads a glTF 2.0 file (.gltf or .glb, told apart by content) with all that it refers to.
@@ -29,14 +38,20 @@ struct LoadOptions {
 /// KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires is an error that names
 /// it.
 ///
-/// Files that it refers to are looked for in its folder and below, nowhere else: not over a network, not by
-/// an absolute path, not by "..". An image that is missing or broken is a warning. Everything else is an
-/// error, whose `where` is "file: /json/path":
+/// The file may be an enemy's. Its container, JSON, names and types are checked before a parser sees them,
+/// all that came out of the parser is checked again, and image headers are read before images are decoded.
+/// Accessors' `min` and `max` must make sense, but are not believed: boxes are measured.
 ///
-///     gltf.file            cannot be read, or is too large
+/// Files that it refers to are looked for in its folder and below, nowhere else: not over a network, not by
+/// an absolute path, not by "..", not by a symbolic link out of it. An image that is missing or broken is a
+/// warning. Everything else is an error, whose `where` is "file: /json/path" ("file: byte N" for a syntax
+/// error, only the file where the container is at fault):
+///
+///     gltf.file            cannot be read, or is over maxFileBytes
 ///     gltf.buffer          the bytes of a buffer that is drawn are missing
 ///     gltf.container       a .glb whose chunks do not fit
-///     gltf.json            not JSON, or nothing that a glTF parser takes
+///     gltf.json            not JSON
+///     gltf.schema          a property is missing, or has another JSON type or array length than glTF's
 ///     gltf.version         not glTF 2.x
 ///     gltf.extension       requires an extension that is not known
 ///     gltf.index-range     an index that points at nothing
@@ -45,10 +60,15 @@ struct LoadOptions {
 ///     gltf.value           a number that glTF does not allow there (not finite, an unknown enumerator, ...)
 ///     gltf.node-tree       nodes in a cycle, or with two parents
 ///     gltf.vertex-range    a vertex index that is not below the vertex count
-///     gltf.limit           more than the options allow, or than there is memory
+///     gltf.limit           deeper than 64, more than the options allow, or than there is memory
 ///
 /// Safe on any thread; decodes images on several of its own.
 Result<Scene> loadGltf(const std::filesystem::path& path, const LoadOptions& options = {},
                        const Log& log = {});
+
+/// Likewise, from memory. `name` is for messages. Files that it refers to are not looked for: their images
+/// are left out, their buffers "gltf.buffer".
+Result<Scene> loadGltf(std::span<const std::uint8_t> file, const std::string& name,
+                       const LoadOptions& options = {}, const Log& log = {});
 
 } // namespace franken

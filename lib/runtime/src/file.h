@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "franken/result.h"
+
+namespace franken {
+
+/// The whole of a regular file; directories, devices and pipes are none. Fails with
+///
+///     file.open    it is not there, may not be read, or is no regular file
+///     file.size    it is larger than `maxBytes`; nothing was read
+///
+/// `where` is the path.
+Result<std::vector<std::uint8_t>> readFile(const std::filesystem::path& path, std::size_t maxBytes);
+
+/// The file of that name in `folder` or below, without symbolic links. Fails with "file.outside" where the
+/// name is absolute, or leads out of the folder by ".." or by a symbolic link; with "file.open" where there
+/// is no such file. `where` is the name.
+Result<std::filesystem::path> findBelow(const std::filesystem::path& folder,
+                                        const std::filesystem::path& name);
+
+} // namespace franken
