@@ -73,14 +73,6 @@ struct Rule {
     std::string_view what, remedy;
 };
 
-bool anyReads(const Permutation& p, UvStream stream) {
-    return (p.baseColorTexture && p.baseColorUv == stream) ||
-           (p.metallicRoughness != MetallicRoughness::Factors && p.metallicRoughnessUv == stream) ||
-           (p.normal == Normal::Map && p.normalUv == stream) ||
-           (p.occlusion == Occlusion::Texture && p.occlusionUv == stream) ||
-           (p.emissive == Emissive::Texture && p.emissiveUv == stream);
-}
-
 constexpr UvStream kUv1 = UvStream::Uv1;
 constexpr Rule kRules[] = {
     {"occlusion",
@@ -139,6 +131,14 @@ void unifyViews(Canonical& canonical) {
 }
 
 } // namespace
+
+bool anyReads(const Permutation& p, UvStream stream) {
+    return (p.baseColorTexture && p.baseColorUv == stream) ||
+           (p.metallicRoughness != MetallicRoughness::Factors && p.metallicRoughnessUv == stream) ||
+           (p.normal == Normal::Map && p.normalUv == stream) ||
+           (p.occlusion == Occlusion::Texture && p.occlusionUv == stream) ||
+           (p.emissive == Emissive::Texture && p.emissiveUv == stream);
+}
 
 Result<Canonical> canonicalise(const Permutation& permutation) {
     if (auto error = findContradiction(permutation))

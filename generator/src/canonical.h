@@ -8,4 +8,7 @@ namespace franken {
 /// A canonical permutation without the choices that the vertex shader alone reads.
 Permutation fragmentChoices(const Permutation& permutation);
 
+/// Whether a texture reads that stream of coordinates.
+bool anyReads(const Permutation& permutation, UvStream stream);
+
 } // namespace franken

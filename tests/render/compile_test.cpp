@@ -22,7 +22,7 @@ void compileAll(const Gl& gl, const std::vector<Permutation>& permutations, cons
     ProgramCache cache(gl);
     std::size_t count = 0;
     for (std::size_t i = 0; i < permutations.size(); i += step, ++count) {
-        const Result<ShaderProgram*> program = cache.get(permutations[i]);
+        const Result<ProgramHandle> program = cache.get(permutations[i]);
         ASSERT_TRUE(program) << toString(program.error());
     }
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));

@@ -104,13 +104,14 @@ TEST_P(RendererTest, AShaderThatTheDriverRefusesIsAnErrorWithItsLog) {
     };
     ProgramCache cache(refusing);
     for (int attempt = 0; attempt < 2; ++attempt) {
-        const Result<ShaderProgram*> program = cache.get(Permutation{});
+        const Result<ProgramHandle> program = cache.get(Permutation{});
         ASSERT_FALSE(program);
         EXPECT_EQ(program.error().code, "program.compile");
         EXPECT_NE(program.error().what.find("nonsense"), std::string::npos) << program.error().what;
         EXPECT_NE(program.error().where.find("surface"), std::string::npos);
     }
-    EXPECT_EQ(cache.counters().compiles, 1u) << "what failed is not tried again";
+    EXPECT_EQ(cache.counters().compiles, 2u) << "both stages once: what failed is not tried again";
+    EXPECT_EQ(cache.counters().failures, 1u);
 }
 
 TEST_P(RendererTest, ALargeMeshIsSplitWhereIndicesAreNarrow) {

@@ -58,7 +58,7 @@ ShadedPoint pointAt(const Float3& toCamera, const Float3& toLight, const Materia
 std::vector<std::array<float, 4>> shade(const Gl& gl, const Permutation& permutation,
                                         const std::vector<ShadedPoint>& points) {
     ProgramCache cache(gl);
-    const Result<ShaderProgram*> program = cache.get(permutation);
+    const Result<ProgramHandle> program = cache.get(permutation);
     if (!program) {
         ADD_FAILURE() << toString(program.error());
         return {};

@@ -67,7 +67,7 @@ void Pbr::beginFrame(const World& world, float aspect) {
 }
 
 Result<void> Pbr::draw(const Thing& thing, Look& look, const GpuMesh& mesh) {
-    const Result<ShaderProgram*> program = m_cache.get(look.permutation);
+    const Result<ProgramHandle> program = m_cache.get(look.permutation);
     if (!program)
         return program.error();
     ObjectBlock& object = look.object.edit();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "franken/material.h"
-#include "franken/shader_program.h"
+#include "franken/program_cache.h"
 #include "frustum.h"
 #include "gpu_mesh.h"
 #include "gpu_texture.h"
@@ -20,7 +20,7 @@ struct GpuMaterial {
     MaterialPlan plan;
     std::array<GLuint, kMaterialUnits> textures; ///< By sampler unit; never 0.
     UniformBlock<MaterialBlock> block;
-    ShaderProgram* program = nullptr; ///< In the current light and look.
+    ProgramHandle program = nullptr; ///< In the current light and look.
 };
 
 /// A primitive, placed in the world.

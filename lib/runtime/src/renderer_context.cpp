@@ -29,7 +29,8 @@ void Renderer::contextLost() {
     state.skyTriangle = {};
     state.mirror.reset();
     state.defaults.reset();
-    state.cache = ProgramCache(state.gl);
+    state.skyProgram.reset();
+    state.cache.abandon();
     state.glState.invalidate();
     state.opaque.clear();
     state.blended.clear();

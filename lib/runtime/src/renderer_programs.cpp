@@ -25,7 +25,7 @@ Result<void> Renderer::State::resolveMaterial(GpuMaterial& material) {
     const Result<Permutation> permutation = permutationOf(material.plan, lighting, look);
     if (!permutation)
         return permutation.error();
-    const Result<ShaderProgram*> program = cache.get(*permutation);
+    const Result<ProgramHandle> program = cache.get(*permutation);
     if (!program)
         return program.error();
     material.program = *program;
@@ -37,7 +37,7 @@ Result<void> Renderer::State::resolveSky() {
     const Result<Permutation> permutation = skyPermutation(look);
     if (!permutation)
         return permutation.error();
-    const Result<ShaderProgram*> program = cache.get(*permutation);
+    const Result<ProgramHandle> program = cache.get(*permutation);
     if (!program)
         return program.error();
     skyProgram = *program;

@@ -84,7 +84,7 @@ struct Renderer::State {
     GlBuffer skyTriangle;
     float skyRange = 0;
     SkySource skySource;
-    ShaderProgram* skyProgram = nullptr;
+    ProgramHandle skyProgram;
 
     Lighting lighting;
     Look look;

@@ -26,6 +26,9 @@ public:
     /// Uploads the blocks that it has not seen. The program must be in use.
     void feed(const BlockViews& blocks);
 
+    /// After a lost context: gives its name up without deleting it. It cannot be used any more.
+    void abandon() { m_program.release(); }
+
 private:
     struct Slot {
         GLint location;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/permutation.h"
+
+#include <optional>
+
+namespace franken {
+
+/// The next rung of the ladder that a program falls down where a driver refuses it: the same thing, drawn by
+/// a simpler program. Nothing below the last rung. Takes and returns canonical permutations; the way down
+/// from any permutation is the same on every machine, and has at most nine rungs below it.
+///
+/// Each rung gives up one thing, and later ones are seen more:
+///
+///  1. the form for a GPU: another text, the same picture
+///  2. dithering
+///  3. lights beyond two suns and two lamps
+///  4. lights beyond the first sun, or the first lamp where there is no sun
+///  5. the sky's mirror image
+///  6. normal and occlusion maps
+///  7. textures of metalness, roughness and emission: factors alone
+///  8. light and tone map: the base colour as it is
+///  9. the base colour's texture, vertex colours, the alpha mask: one colour
+///
+/// A rung reads no attribute and no texture that the one above does not, so that whatever draws the one can
+/// draw the other, with the same blocks of uniforms. It keeps the BRDF, because blocks are packed for it, and
+/// the output's encoding. A surface always ends at rung 9, which every driver can compile. A sky has
+/// rungs 1, 2 and 8 (without the tone map), an overlay has rung 2.
+std::optional<Permutation> simpler(const Permutation& permutation);
+
+} // namespace franken

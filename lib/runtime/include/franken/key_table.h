@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/generator/permutation.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace franken {
+
+/// Where the entry of a key stands, or none: a flat table with open addressing, at most half full. It
+/// compares whole keys; a hash only says where to begin.
+class KeyTable {
+public:
+    static constexpr std::uint32_t kAbsent = ~std::uint32_t{0};
+
+    KeyTable() { reserve(8); }
+
+    std::uint32_t find(Key key) const {
+        for (std::size_t cell = home(key);; cell = (cell + 1) & m_mask) {
+            if (m_cells[cell].key == key)
+                return m_cells[cell].place;
+            if (m_cells[cell].key == kNoKey)
+                return kAbsent;
+        }
+    }
+
+    /// The key must not be there yet.
+    void insert(Key key, std::uint32_t place);
+    void clear();
+
+private:
+    static constexpr Key kNoKey = 0; ///< No key is 0: each has a schema version.
+    struct Cell {
+        Key key = kNoKey;
+        std::uint32_t place = kAbsent;
+    };
+
+    void reserve(std::size_t cells);
+
+    /// Multiplicative hashing (Knuth, "The Art of Computer Programming" 3, 6.4): the upper bits of key times
+    /// 2^64 over the golden ratio.
+    std::size_t home(Key key) const { return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> m_shift); }
+
+    std::vector<Cell> m_cells;
+    std::size_t m_used = 0;
+    std::size_t m_mask = 0;
+    unsigned m_shift = 0;
+};
+
+} // namespace franken

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "franken/key_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <utility>
+
+namespace franken {
+
+void KeyTable::insert(Key key, std::uint32_t place) {
+    assert(key != kNoKey && find(key) == kAbsent);
+    if (2 * ++m_used > m_cells.size())
+        reserve(2 * m_cells.size());
+    std::size_t cell = home(key);
+    while (m_cells[cell].key != kNoKey)
+        cell = (cell + 1) & m_mask;
+    m_cells[cell] = {key, place};
+}
+
+void KeyTable::clear() {
+    std::fill(m_cells.begin(), m_cells.end(), Cell{});
+    m_used = 0;
+}
+
+void KeyTable::reserve(std::size_t cells) {
+    const std::vector<Cell> old = std::exchange(m_cells, std::vector<Cell>(cells));
+    m_mask = cells - 1;
+    m_shift = 64 - static_cast<unsigned>(std::countr_zero(cells));
+    for (const Cell& moved : old) {
+        std::size_t cell = home(moved.key);
+        while (moved.key != kNoKey && m_cells[cell].key != kNoKey)
+            cell = (cell + 1) & m_mask;
+        if (moved.key != kNoKey)
+            m_cells[cell] = moved;
+    }
+}
+
+} // namespace franken
