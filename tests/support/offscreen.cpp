@@ -52,4 +52,11 @@ void OffscreenTest::SetUp() {
     m_offscreen = *std::move(offscreen);
 }
 
+void OffscreenTest::replaceContext(platform::Size size) {
+    m_offscreen = {};
+    Result<Offscreen> offscreen = openOffscreen(GetParam(), size);
+    ASSERT_TRUE(offscreen) << toString(offscreen.error());
+    m_offscreen = *std::move(offscreen);
+}
+
 } // namespace franken::test

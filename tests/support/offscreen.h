@@ -52,6 +52,8 @@ protected:
 
     const Gl& gl() const { return m_offscreen.gl; }
     platform::Surface& surface() { return *m_offscreen.surface; }
+    /// Destroys the context and makes another one, which is current. Its table may be another one.
+    void replaceContext(platform::Size size);
     Image readBack() const { return test::readBack(m_offscreen); }
 
 private:

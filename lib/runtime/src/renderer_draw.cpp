@@ -18,13 +18,14 @@ void Renderer::State::sortOpaque() {
 }
 
 void Renderer::State::updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target) {
-    FrameBlock& values = frame.edit();
+    FrameBlock values{};
     values.cameraPosition = toFloat3(viewpoint.eye);
     roundTo(values.clipToSky, viewpoint.clipToSky);
     values.skyRange = skyRange * lighting.exposure;
     values.specularRange = mirror->range * lighting.exposure;
     values.dither = packDither(target.bits);
-    lights.edit() = packLighting(lighting, toFloat3(viewpoint.eye));
+    frame.set(values);
+    lights.set(packLighting(lighting, toFloat3(viewpoint.eye)));
     if (seenFrom != viewpoint.viewProjection)
         findVisible(viewpoint);
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 
 namespace franken {
@@ -36,6 +37,12 @@ public:
     Values& edit() {
         m_serial = newSerial();
         return m_values;
+    }
+
+    /// Replaces the values, where they are others.
+    void set(const Values& values) {
+        if (std::memcmp(&values, &m_values, sizeof(Values)) != 0)
+            edit() = values;
     }
 
     BlockView view() const { return {reinterpret_cast<const float*>(&m_values), m_serial}; }

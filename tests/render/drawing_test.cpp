@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// Which draws a frame makes, in which order, and what it asks of GL for them.
+#include "support/draw_scene.h"
+#include "support/gl_recorder.h"
+#include "support/shapes.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace franken::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+class DrawingTest : public PictureTest {
+protected:
+    DrawTarget target() { return {.framebuffer = surface().framebuffer(), .width = 64, .height = 64}; }
+
+    /// A renderer over a recording table, which has drawn one frame.
+    std::unique_ptr<Renderer> warm(const Shot& shot) {
+        auto renderer = std::make_unique<Renderer>(recordingGl(gl()));
+        EXPECT_TRUE(renderer->load(shot.scene));
+        renderer->setLighting(shot.lighting);
+        EXPECT_TRUE(renderer->draw(viewpointOf(shot.camera, 1), target()));
+        return renderer;
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, DrawingTest, allBackends(), backendName);
+
+glm::mat4 at(float x, float y, float z) { return glm::translate(glm::mat4(1), glm::vec3(x, y, z)); }
+
+Camera lookingAhead() {
+    Camera camera;
+    camera.yfov = 1;
+    camera.znear = 0.5f;
+    camera.zfar = 100;
+    return camera;
+}
+
+/// Balls in many materials and meshes, in an order that suits nobody; textured, mirrored and blended ones.
+Shot manyBalls() {
+    SceneBuilder builder;
+    std::vector<int> materials;
+    for (int i = 0; i < 6; ++i) {
+        Material material;
+        material.baseColor = glm::vec4(0.2f + 0.1f * static_cast<float>(i), 0.5f, 0.4f, i == 5 ? 0.5f : 1.0f);
+        material.alphaMode = i == 5 ? AlphaMode::Blend : AlphaMode::Opaque;
+        material.doubleSided = i == 4;
+        if (i % 2 == 0)
+            material.baseColorTexture.texture =
+                builder.addTexture(checkers(8, 4, glm::vec4(1), glm::vec4(0.5f)));
+        materials.push_back(builder.addMaterial(material));
+    }
+    for (int i = 0; i < 24; ++i) {
+        const glm::mat4 place = at(static_cast<float>(i % 6) - 2.5f, static_cast<float>(i / 6) - 1.5f, -5);
+        builder.add(sphere(5), materials[static_cast<std::size_t>(i * 5 % 6)],
+                    glm::scale(place, glm::vec3(i % 7 == 0 ? -0.4f : 0.4f, 0.4f, 0.4f)));
+    }
+    builder.addSun({-1, -1, -1}, {1, 1, 1}, 3);
+    return {.scene = builder.scene, .camera = lookingAhead(), .lighting = lightingOf(builder.scene)};
+}
+
+TEST_P(DrawingTest, WhatLiesOutsideTheViewIsNotDrawn) {
+    SceneBuilder builder;
+    const int material = builder.addMaterial({});
+    for (const glm::mat4& place : {at(0, 0, -5), at(0, 0, 5), at(9, 0, -5), at(-9, 0, -5), at(0, 9, -5),
+                                   at(0, -9, -5), at(0, 0, -200), at(3.4f, 0, -5)})
+        builder.add(sphere(6), material, place);
+    builder.addSun({-1, -1, -1}, {1, 1, 1}, 3);
+    const Shot shot = {
+        .scene = builder.scene, .camera = lookingAhead(), .lighting = lightingOf(builder.scene)};
+    const std::unique_ptr<Renderer> renderer = warm(shot);
+    const Picture picture = toPicture(readBack());
+    EXPECT_EQ(countCalls("DrawElements"), 2u) << "the one in the middle, and one that is cut by the edge";
+    EXPECT_EQ(renderer->frameCounters().drawn, 2u);
+    EXPECT_EQ(renderer->frameCounters().culled, 6u);
+
+    Camera turned = shot.camera;
+    turned.world = glm::rotate(glm::mat4(1), glm::pi<float>(), glm::vec3(0, 1, 0));
+    recordedCalls().clear();
+    ASSERT_TRUE(renderer->draw(viewpointOf(turned, 1), target()));
+    EXPECT_EQ(countCalls("DrawElements"), 1u) << "the one behind";
+    ASSERT_TRUE(renderer->draw(viewpointOf(shot.camera, 1), target()));
+    EXPECT_EQ(compareLit(toPicture(readBack()), picture).max(), 0);
+}
+
+TEST_P(DrawingTest, OrderIsByProgramMaterialAndMesh) {
+    const std::unique_ptr<Renderer> renderer = warm(manyBalls());
+    recordedCalls().clear();
+    ASSERT_TRUE(renderer->draw(viewpointOf(lookingAhead(), 1), target()));
+    EXPECT_EQ(countCalls("DrawElements"), 24u);
+    // Textured or not, double-sided or not, and blended: four programs.
+    EXPECT_LE(countCalls("UseProgram"), 4u);
+    EXPECT_LE(countCalls("BindTexture"), 3u) << "as many as there are textures";
+    EXPECT_EQ(countCalls("DepthMask"), 2u) << "blended ones last, in one go";
+}
+
+TEST_P(DrawingTest, NoStateIsSetTwiceAndNothingIsAskedFor) {
+    const Shot shot = manyBalls();
+    const std::unique_ptr<Renderer> renderer = warm(shot);
+    const SkyCube cube = encodeSkyCube({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 4);
+    ASSERT_TRUE(renderer->setBackdrop(&cube));
+    ASSERT_TRUE(renderer->prepare());
+    StateFollower follower;
+    for (int frame = 0; frame < 3; ++frame) {
+        Camera camera = shot.camera;
+        camera.world = at(0.1f * static_cast<float>(frame), 0, 0);
+        recordedCalls().clear();
+        ASSERT_TRUE(renderer->draw(viewpointOf(camera, 1), target()));
+        EXPECT_EQ(follower.redundant(recordedCalls()), Names()) << "frame " << frame;
+        EXPECT_EQ(callsThatAsk(), Names()) << "frame " << frame;
+        EXPECT_EQ(countCalls("DrawElements") + countCalls("DrawArrays"), 25u);
+    }
+}
+
+TEST_P(DrawingTest, TheFollowerSeesWhatIsSetTwice) {
+    const Gl table = recordingGl(gl());
+    table.Enable(GL_BLEND);
+    table.ActiveTexture(GL_TEXTURE1);
+    table.BindTexture(GL_TEXTURE_2D, 0);
+    table.ActiveTexture(GL_TEXTURE0);
+    table.BindTexture(GL_TEXTURE_2D, 0);
+    table.Enable(GL_BLEND);
+    table.Disable(GL_BLEND);
+    table.BindTexture(GL_TEXTURE_2D, 0);
+    table.GetError();
+    EXPECT_EQ(StateFollower().redundant(recordedCalls()).size(), 2u);
+    EXPECT_EQ(callsThatAsk(), Names{"GetError"});
+}
+
+TEST_P(DrawingTest, AStillPictureOfOneObjectUploadsNothing) {
+    SceneBuilder builder;
+    builder.add(sphere(6), builder.addMaterial({}), at(0, 0, -4));
+    builder.addSun({-1, -1, -1}, {1, 1, 1}, 3);
+    const Shot shot = {
+        .scene = builder.scene, .camera = lookingAhead(), .lighting = lightingOf(builder.scene)};
+    const std::unique_ptr<Renderer> renderer = warm(shot);
+    recordedCalls().clear();
+    ASSERT_TRUE(renderer->draw(viewpointOf(shot.camera, 1), target()));
+    Names names;
+    for (const GlCall& call : recordedCalls())
+        names.emplace_back(call.name);
+    EXPECT_EQ(names, (Names{"BindFramebuffer", "Viewport", "Clear", "DrawElements"}));
+}
+
+TEST_P(DrawingTest, InvalidateStateBringsBackWhatAnEngineChanged) {
+    const Shot shot = manyBalls();
+    Renderer renderer(gl());
+    ASSERT_TRUE(renderer.load(shot.scene));
+    renderer.setLighting(shot.lighting);
+    ASSERT_TRUE(renderer.draw(viewpointOf(shot.camera, 1), target()));
+    const Picture clean = toPicture(readBack());
+    for (const GLenum capability : {GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL})
+        gl().Enable(capability);
+    gl().Disable(GL_DEPTH_TEST);
+    gl().Scissor(0, 0, 3, 3);
+    gl().ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    gl().DepthMask(GL_FALSE);
+    gl().DepthFunc(GL_NEVER);
+    gl().CullFace(GL_FRONT);
+    gl().FrontFace(GL_CW);
+    gl().BlendEquation(GL_FUNC_REVERSE_SUBTRACT);
+    gl().BlendFunc(GL_ONE, GL_ONE);
+    gl().ClearColor(1, 1, 1, 1);
+    gl().UseProgram(0);
+    for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})
+        gl().BindBuffer(target, 0);
+    for (GLuint location = 0; location < 8; ++location)
+        location < 4 ? gl().DisableVertexAttribArray(location) : gl().EnableVertexAttribArray(location);
+    for (GLenum unit = 0; unit < 8; ++unit) {
+        gl().ActiveTexture(GL_TEXTURE0 + unit);
+        gl().BindTexture(GL_TEXTURE_2D, 0);
+    }
+    gl().Viewport(1, 2, 3, 4);
+    renderer.invalidateState();
+    ASSERT_TRUE(renderer.draw(viewpointOf(shot.camera, 1), target()));
+    EXPECT_EQ(compareLit(toPicture(readBack()), clean).max(), 0);
+}
+
+} // namespace
+} // namespace franken::test

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+// What is on the GPU: several models, a budget, and what happens when all of it is lost.
+#include "support/draw_scene.h"
+#include "support/gl_recorder.h"
+#include "support/shapes.h"
+
+namespace franken::test {
+namespace {
+
+class ResidencyTest : public PictureTest {
+protected:
+    DrawTarget target() { return {.framebuffer = surface().framebuffer(), .width = 64, .height = 64}; }
+
+    Picture drawn(Renderer& renderer) {
+        Camera camera;
+        camera.world[3] = glm::vec4(0, 0, 3, 1);
+        const Result<void> result = renderer.draw(viewpointOf(camera, 1), target());
+        EXPECT_TRUE(result) << toString(result.error());
+        return toPicture(readBack());
+    }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, ResidencyTest, allBackends(), backendName);
+
+/// A ball with a texture of its own: 64 x 64 texels with mipmaps, 21,844 bytes.
+Scene ball(const glm::vec4& color) {
+    SceneBuilder builder;
+    Material material;
+    material.baseColorTexture.texture = builder.addTexture(checkers(64, 8, color, glm::vec4(1)));
+    builder.add(sphere(12), builder.addMaterial(material));
+    return builder.scene;
+}
+
+constexpr std::size_t kTextureBytes = 4 * (64 * 64 + 32 * 32 + 16 * 16 + 8 * 8 + 4 * 4 + 2 * 2 + 1);
+constexpr std::size_t kMeshBytes = 13 * 25 * (12 + 12 + 16 + 8) + 12 * 24 * 6 * 2;
+constexpr std::size_t kBallBytes = kTextureBytes + kMeshBytes;
+
+const Scene& red() {
+    static const Scene scene = ball({1, 0, 0, 1});
+    return scene;
+}
+const Scene& green() {
+    static const Scene scene = ball({0, 1, 0, 1});
+    return scene;
+}
+
+int reads = 0;
+const SceneSource kRedSource = [] { return ++reads, Result<Scene>(red()); };
+const SceneSource kGreenSource = [] { return ++reads, Result<Scene>(green()); };
+
+Lighting sunny() {
+    Lighting lighting;
+    lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
+    lighting.ambient = Ambient::Color;
+    lighting.ambientColor = {0.2f, 0.2f, 0.2f};
+    return lighting;
+}
+
+TEST_P(ResidencyTest, BytesAreCountedAndGivenBack) {
+    Renderer renderer(gl());
+    ASSERT_TRUE(renderer.load(red()));
+    EXPECT_EQ(renderer.memory().used(MemoryUse::Textures), kTextureBytes);
+    EXPECT_EQ(renderer.memory().used(MemoryUse::Meshes), kMeshBytes);
+    {
+        const Result<MemoryLease> lease = renderer.memory().reserve(MemoryUse::Targets, 640 * 480 * 4);
+        ASSERT_TRUE(lease);
+        EXPECT_EQ(renderer.memory().used(), kBallBytes + 640 * 480 * 4);
+    }
+    const Result<ModelId> second = renderer.add(green());
+    ASSERT_TRUE(second);
+    EXPECT_EQ(renderer.memory().used(), 2 * kBallBytes);
+    renderer.remove(*second);
+    EXPECT_EQ(renderer.memory().used(), kBallBytes);
+    ASSERT_TRUE(renderer.load(Scene{}));
+    EXPECT_EQ(renderer.memory().used(), 0u);
+}
+
+TEST_P(ResidencyTest, DrawPicksAmongModels) {
+    Renderer renderer(gl());
+    renderer.setLighting(sunny());
+    ASSERT_TRUE(renderer.load(red()));
+    const Picture redAlone = drawn(renderer);
+    ASSERT_TRUE(renderer.load(green()));
+    const Picture greenAlone = drawn(renderer);
+    EXPECT_GT(compareLit(redAlone, greenAlone).max(), 100);
+
+    const Result<ModelId> first = renderer.add(red()), second = renderer.add(green());
+    ASSERT_TRUE(first && second);
+    ASSERT_TRUE(renderer.show({{*first}}));
+    EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0);
+    ASSERT_TRUE(renderer.show({{*second}}));
+    EXPECT_EQ(compareLit(drawn(renderer), greenAlone).max(), 0);
+    ASSERT_TRUE(renderer.show({{*first, *second, *first}}));
+    EXPECT_EQ(compareLit(drawn(renderer), greenAlone).max(), 0) << "equal depth: the later one is seen";
+    EXPECT_EQ(renderer.frameCounters().drawn, 2u);
+    renderer.remove(*second);
+    EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0);
+    const Result<void> unknown = renderer.show({{*second}});
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().code, "renderer.model");
+    EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0) << "what was shown stays";
+}
+
+TEST_P(ResidencyTest, WhatIsNotShownMakesRoomAndComesBack) {
+    Renderer renderer(gl());
+    renderer.setLighting(sunny());
+    renderer.memory().setBudget(2 * kBallBytes + 100);
+    const Result<ModelId> first = renderer.add(red(), kRedSource);
+    const Result<ModelId> second = renderer.add(green(), kGreenSource);
+    ASSERT_TRUE(first && second);
+    ASSERT_TRUE(renderer.show({{*second}}));
+    const Picture greenAlone = drawn(renderer);
+    ASSERT_TRUE(renderer.show({{*first}}));
+    const Picture redAlone = drawn(renderer);
+    EXPECT_EQ(renderer.memory().evictions(), 0u);
+
+    reads = 0;
+    ASSERT_TRUE(renderer.add(red(), kRedSource)) << "the green one makes room";
+    EXPECT_EQ(renderer.memory().evictions(), 1u);
+    EXPECT_EQ(renderer.memory().used(), 2 * kBallBytes);
+    EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0);
+    ASSERT_TRUE(renderer.show({{*second}}));
+    EXPECT_EQ(compareLit(drawn(renderer), greenAlone).max(), 0);
+    EXPECT_EQ(reads, 1);
+    EXPECT_LE(renderer.memory().used(), renderer.memory().budget());
+}
+
+TEST_P(ResidencyTest, OverTheBudgetIsAnErrorBeforeTheDriversOwn) {
+    Renderer renderer(recordingGl(gl()));
+    renderer.setLighting(sunny());
+    renderer.memory().setBudget(kBallBytes + 100);
+    ASSERT_TRUE(renderer.load(red()));
+    const Picture redAlone = drawn(renderer);
+    recordedCalls().clear();
+    const Result<ModelId> second = renderer.add(green());
+    ASSERT_FALSE(second) << "the red one has no source, and is shown";
+    EXPECT_EQ(second.error().code, "memory.budget");
+    EXPECT_NE(second.error().what.find("KiB"), std::string::npos);
+    EXPECT_EQ(countCalls("BufferData") + countCalls("TexImage2D"), 0u);
+    EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0);
+    EXPECT_EQ(renderer.memory().used(), kBallBytes);
+    ASSERT_TRUE(renderer.load(green())) << "load() replaces the model, and so has room";
+    EXPECT_EQ(renderer.memory().used(), kBallBytes);
+    const SkyCube cube = encodeSkyCube({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 64);
+    EXPECT_EQ(renderer.setBackdrop(&cube).error().code, "memory.budget");
+}
+
+TEST_P(ResidencyTest, TheDriversOwnErrorIsOneToo) {
+    static GLenum error = GL_NO_ERROR;
+    Gl failing = gl();
+    failing.GetError = [] { return std::exchange(error, static_cast<GLenum>(GL_NO_ERROR)); };
+    Renderer renderer(failing);
+    error = GL_OUT_OF_MEMORY;
+    const Result<void> loaded = renderer.load(red());
+    ASSERT_FALSE(loaded);
+    EXPECT_EQ(loaded.error().code, "renderer.memory");
+    EXPECT_EQ(renderer.memory().used(), 0u);
+}
+
+TEST_P(ResidencyTest, ALostContextIsRebuiltFromItsSources) {
+    const SkyCube cube = encodeSkyCube({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 16);
+    const auto grey = [](glm::vec2 uv) { return glm::vec4(uv, 0.5f, 1); };
+    const SkyMirror mirror = {{paint(32, grey), 1}, paint(16, grey)};
+    Renderer renderer(recordingGl(gl()));
+    Lighting lighting = sunny();
+    lighting.ambient = Ambient::Sky;
+    lighting.skySpecular = SkySpecular::Lookup;
+    renderer.setLighting(lighting);
+    ASSERT_TRUE(renderer.load(red(), kRedSource));
+    const Result<ModelId> second = renderer.add(green(), kGreenSource);
+    ASSERT_TRUE(second);
+    ASSERT_TRUE(renderer.setBackdrop(&cube, [&] { return Result<SkyCube>(cube); }));
+    ASSERT_TRUE(renderer.setMirror(&mirror, [&] { return Result<SkyMirror>(mirror); }));
+    const Picture before = drawn(renderer);
+    const std::size_t bytes = renderer.memory().used();
+
+    recordedCalls().clear();
+    replaceContext({48, 32});
+    replaceContext({64, 64});
+    renderer.contextLost();
+    const Result<void> dark = renderer.draw({}, target());
+    ASSERT_FALSE(dark);
+    EXPECT_EQ(dark.error().code, "renderer.context-lost");
+    EXPECT_EQ(renderer.add(red()).error().code, "renderer.context-lost");
+    EXPECT_EQ(recordedCalls().size(), 0u) << "no call on the dead context";
+    EXPECT_EQ(renderer.memory().used(), 0u);
+
+    reads = 0;
+    ASSERT_TRUE(renderer.restore(gl()));
+    EXPECT_EQ(reads, 1) << "what is not shown is read when it is";
+    EXPECT_EQ(compareLit(drawn(renderer), before).max(), 0);
+    EXPECT_EQ(renderer.memory().used(), bytes - kBallBytes);
+    ASSERT_TRUE(renderer.show({{*second}}));
+    EXPECT_GT(compareLit(drawn(renderer), before).max(), 100);
+}
+
+TEST_P(ResidencyTest, WhatCannotBeRebuiltIsAnErrorAndTheRestIs) {
+    Renderer renderer(gl());
+    renderer.setLighting(sunny());
+    const Result<ModelId> kept = renderer.add(red(), kRedSource);
+    const Result<ModelId> gone = renderer.add(green());
+    ASSERT_TRUE(kept && gone);
+    ASSERT_TRUE(renderer.show({{*kept}}));
+    const Picture before = drawn(renderer);
+    ASSERT_TRUE(renderer.show({{*kept, *gone}}));
+    renderer.contextLost();
+    replaceContext({64, 64});
+    EXPECT_EQ(renderer.restore(gl()).error().code, "renderer.no-source");
+    EXPECT_EQ(compareLit(drawn(renderer), before).max(), 0);
+}
+
+TEST_P(ResidencyTest, ARendererMayDieAfterItsContext) {
+    {
+        Renderer renderer(recordingGl(gl()));
+        ASSERT_TRUE(renderer.load(red()));
+        renderer.contextLost();
+        recordedCalls().clear();
+    }
+    EXPECT_EQ(recordedCalls().size(), 0u);
+}
+
+} // namespace
+} // namespace franken::test
