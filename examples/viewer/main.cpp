@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "common/png.h"
+#include "common/progress_bar.h"
 #include "franken/gltf.h"
 #include "picture.h"
 #include "setup.h"
@@ -25,7 +26,7 @@ ExitCode printPermutations(const Subject& subject, const Options& options) {
         permutationsOf(subject.scene, subject.lighting, options.look, logToStderr);
     if (!needed)
         return fail(needed.error(), ExitCode::Refused);
-    if (subject.sky) {
+    if (subject.sky && subject.sky->backdrop.size > 0) {
         const Result<Permutation> backdrop = skyPermutation(options.look);
         if (!backdrop)
             return fail(backdrop.error(), ExitCode::Refused);
@@ -42,7 +43,9 @@ ExitCode run(const Options& options) {
         return fail(scene.error(), ExitCode::Refused);
     Subject subject{.scene = *std::move(scene), .camera = {}, .lighting = {}, .sky = {}};
     if (!options.skybox.empty()) {
-        Result<Environment> sky = loadEnvironment(options.skybox);
+        ProgressBar bar("filtering the sky");
+        Result<BakedSky> sky = loadSky(
+            options.skybox, {.sun = options.skySun, .progress = [&bar](float share) { bar.show(share); }});
         if (!sky)
             return fail(sky.error(), ExitCode::Refused);
         subject.sky = *std::move(sky);

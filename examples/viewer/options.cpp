@@ -114,9 +114,13 @@ void addScene(CLI::App& app, Options& options) {
            "--ambient", [&options](const std::string& text) { options.ambient = toColor("--ambient", text); },
            "Light from everywhere, as a radiance")
         ->type_name("R,G,B");
-    app.add_option("--skybox", options.skybox,
-                   "A sky that lights the model and is seen behind it: .hdr, cross, or a folder of six faces")
+    app.add_option(
+           "--skybox", options.skybox,
+           "A sky that lights the model and is seen behind it: .hdr, cross, a folder of six faces, or what "
+           "bake made of one")
         ->type_name("FILE");
+    app.add_flag("--sky-sun", options.skySun,
+                 "Takes the sun out of the sky, so that it is one more sun with sharp mirror images");
     app.add_option_function<std::string>(
            "--exposure",
            [&options](const std::string& text) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "exit_code.h"
+#include "common/exit_code.h"
 #include "franken/generator/pack.h"
 #include "franken/material.h"
 #include "franken/platform/surface.h"
@@ -24,6 +24,7 @@ struct Options {
     std::vector<franken::Sun> suns;
     std::optional<franken::Float3> ambient;
     std::filesystem::path skybox; ///< Empty for none.
+    bool skySun = false;          ///< Takes the sun out of it, as one of the suns.
     float exposure = 1;
     franken::Float3 background{0, 0, 0}; ///< Encoded, 0-1.
     franken::Look look;

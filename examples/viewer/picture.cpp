@@ -9,8 +9,6 @@ using namespace franken;
 
 namespace {
 
-constexpr int kSkyFaceSize = 512;
-
 Image readTopDown(const Gl& gl, platform::Size size) {
     const std::size_t row = 4 * static_cast<std::size_t>(size.width);
     Image image;
@@ -46,9 +44,11 @@ Result<void> draw(const Gl& gl, unsigned framebuffer, platform::Size size, const
     if (Result<void> loaded = renderer.load(subject.scene); !loaded)
         return loaded;
     if (subject.sky) {
-        const SkyCube cube = encodeSkyCube(*subject.sky, kSkyFaceSize);
-        if (Result<void> shown = renderer.setBackdrop(&cube); !shown)
+        const SkyCube& backdrop = subject.sky->backdrop;
+        if (Result<void> shown = renderer.setBackdrop(backdrop.size > 0 ? &backdrop : nullptr); !shown)
             return shown;
+        if (Result<void> mirrored = renderer.setMirror(&subject.sky->mirror); !mirrored)
+            return mirrored;
     }
     renderer.setLighting(subject.lighting);
     renderer.setLook(options.look);

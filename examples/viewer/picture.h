@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "franken/environment.h"
+#include "franken/baked_sky.h"
 #include "franken/image.h"
 #include "franken/light.h"
 #include "franken/scene.h"
@@ -14,7 +14,7 @@ struct Subject {
     franken::Scene scene;
     franken::Camera camera;
     franken::Lighting lighting;
-    std::optional<franken::Environment> sky;
+    std::optional<franken::BakedSky> sky;
 };
 
 /// Opens a context, draws, and reads the picture back, row 0 at the top.

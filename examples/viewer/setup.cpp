@@ -38,18 +38,22 @@ Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
     return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
 }
 
-Result<Lighting> chooseLighting(const Scene& scene, const std::optional<Environment>& sky,
+Result<Lighting> chooseLighting(const Scene& scene, const std::optional<BakedSky>& sky,
                                 const Options& options, const Log& log) {
     Lighting lighting = lightingOf(scene, log);
     lighting.suns.insert(lighting.suns.end(), options.suns.begin(), options.suns.end());
+    if (sky && sky->sun)
+        lighting.suns.push_back(*sky->sun);
     if (lighting.suns.size() > Permutation::kMaxLights)
         return Error{"viewer.suns", "--sun",
-                     std::to_string(lighting.suns.size()) + " suns, those of the file included, are too many",
+                     std::to_string(lighting.suns.size()) +
+                         " suns, those of the file and of the sky included, are too many",
                      "one program takes " + std::to_string(Permutation::kMaxLights)};
     lighting.exposure = options.exposure;
     if (sky) {
         lighting.ambient = Ambient::Sky;
-        lighting.sky = skyCoefficients(*sky);
+        lighting.sky = sky->coefficients;
+        lighting.skySpecular = SkySpecular::Lookup;
     } else if (options.ambient) {
         lighting.ambient = Ambient::Color;
         lighting.ambientColor = *options.ambient;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "franken/environment.h"
+#include "franken/baked_sky.h"
 #include "franken/light.h"
 #include "franken/log.h"
 #include "franken/viewpoint.h"
@@ -15,5 +15,5 @@ franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const
 
 /// The lights of the file and of the options, and what they come down to where there is neither.
 franken::Result<franken::Lighting> chooseLighting(const franken::Scene& scene,
-                                                  const std::optional<franken::Environment>& sky,
+                                                  const std::optional<franken::BakedSky>& sky,
                                                   const Options& options, const franken::Log& log);

@@ -115,5 +115,32 @@ TEST_P(SkySpheres, OthersAreAsTheyShouldBe) {
     expectNear(mirror, "mirror", 4);
 }
 
+class SkyModel : public PictureTest {
+protected:
+    SkyModel() : PictureTest({512, 512}) {}
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, SkyModel, allBackends(), backendName);
+
+/// That viewer adds what is scattered between microfacets several times, and a Fresnel term that depends on
+/// roughness, so its rough metals are a little brighter.
+TEST_P(SkyModel, WaterBottleLooksAsInTheKhronosViewer) {
+    const Sky* sky = venice();
+    const std::filesystem::path model = findShared("reference/scenes/WaterBottle/WaterBottle.gltf");
+    if (sky == nullptr || model.empty())
+        GTEST_SKIP() << "needs ../shared/reference and ../shared/assets/env beside the sources";
+    Shot shot = shotOf(model);
+    lightBy(*sky, shot);
+    for (const std::string name : {"WaterBottle.ibl_sun", "WaterBottle.ibl"}) {
+        const Picture expected = readPicture(findShared("reference/sky/" + name + ".khronos.png"));
+        const Picture actual = draw(shot);
+        const Difference difference = compareLit(actual, expected);
+        std::cout << name << ": " << difference << "\n";
+        EXPECT_LE(difference.mean, 8)
+            << writeDifference(name + "." + std::string(toString(GetParam())), actual, expected);
+        shot.lighting.suns.clear();
+    }
+}
+
 } // namespace
 } // namespace franken::test

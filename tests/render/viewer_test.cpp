@@ -125,6 +125,8 @@ TEST_F(Viewer, DrawsUnderASkyByOthers) {
     const Picture picture = readPicture(m_folder / "out.png");
     const std::uint8_t* const corner = picture.rgba.data(); // Sky, not background.
     EXPECT_GT(corner[0] + corner[1] + corner[2], 0);
+    const std::string programs = run(std::string(kUrn) + " --permutations --skybox " + sky.string()).out;
+    EXPECT_NE(programs.find("+sh+mirror"), std::string::npos) << programs;
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "hdr.h"
+#include "sky.h"
 
 namespace franken {
 namespace {
@@ -16,23 +17,8 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
 constexpr std::array<std::string_view, 6> kFaceNames{"px", "nx", "py", "ny", "pz", "nz"};
 
-Result<std::vector<std::uint8_t>> readFile(const fs::path& path) {
-    std::error_code failure;
-    const std::uintmax_t size = fs::file_size(path, failure);
-    if (failure)
-        return Error{"sky.file", path.string(), "the sky cannot be read: " + failure.message(),
-                     "check the path"};
-    if (size > kMaxFileSize)
-        return Error{"sky.file", path.string(), "the file is larger than 256 MiB", "scale the picture down"};
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
-        return Error{"sky.file", path.string(), "the sky cannot be read", "check the file's permissions"};
-    return bytes;
-}
-
 Result<FloatImage> loadPicture(const fs::path& path) {
-    const auto bytes = readFile(path);
+    const auto bytes = readSkyFile(path);
     if (!bytes)
         return bytes.error();
     Result<FloatImage> picture =
@@ -117,6 +103,21 @@ Result<Environment> loadFolder(const fs::path& folder) {
 }
 
 } // namespace
+
+Result<std::vector<std::uint8_t>> readSkyFile(const fs::path& path) {
+    std::error_code failure;
+    const std::uintmax_t size = fs::file_size(path, failure);
+    if (failure)
+        return Error{"sky.file", path.string(), "the sky cannot be read: " + failure.message(),
+                     "check the path"};
+    if (size > kMaxFileSize)
+        return Error{"sky.file", path.string(), "the file is larger than 256 MiB", "scale the picture down"};
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+        return Error{"sky.file", path.string(), "the sky cannot be read", "check the file's permissions"};
+    return bytes;
+}
 
 Result<Environment> loadEnvironment(const fs::path& path) {
     std::error_code ignored;

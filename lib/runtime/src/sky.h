@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <span>
+#include <vector>
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -9,6 +12,9 @@
 #include "franken/environment.h"
 
 namespace franken {
+
+/// A file of at most 256 MiB. Fails with "sky.file".
+Result<std::vector<std::uint8_t>> readSkyFile(const std::filesystem::path& path);
 
 /// A point on one side of a cube map: s to the right and t down, both -1 to 1 within the face.
 struct FacePoint {

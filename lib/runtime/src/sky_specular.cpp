@@ -17,7 +17,6 @@ namespace {
 
 constexpr float kRatio = 0.70710678f; ///< Of a level's size to that of the one before.
 constexpr float kHeight = (1 - 0.0625f * kRatio) / (1 - kRatio); ///< Of all levels, in sizes of the first.
-constexpr int kLookupWidth = 128, kLookupHeight = 256;
 constexpr int kLookupSamples = 512;
 
 struct AtlasPoint {
@@ -99,6 +98,8 @@ std::uint8_t toCode(float value) {
 
 } // namespace
 
+int specularHeight(int size) { return static_cast<int>(std::ceil(kHeight * static_cast<float>(size))); }
+
 SpecularAtlas filterSpecular(const Environment& sky, int size, const Progress& progress) {
     assert(size >= kMinSpecularSize && size <= kMaxSpecularSize);
     const SkyFilter filter(sky);
@@ -107,7 +108,7 @@ SpecularAtlas filterSpecular(const Environment& sky, int size, const Progress& p
         lobes[static_cast<std::size_t>(i)] =
             filter.lobe(std::exp2(0.5f * static_cast<float>(i + 1 - kSpecularLevels)));
 
-    const int width = 2 * size, height = static_cast<int>(std::ceil(kHeight * static_cast<float>(size)));
+    const int width = 2 * size, height = specularHeight(size);
     std::vector<glm::vec3> texels(std::size_t{1} * width * height);
     forEachRow(
         height,

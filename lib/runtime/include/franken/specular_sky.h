@@ -34,9 +34,12 @@ inline constexpr int kMaxSpecularSize = 1024;
 /// at the point (d.x, d.z) / (max(|d.x|, |d.z|) + |d.y|), each from -1 to 1, times kSpecularScale. The
 /// squares of a level lie below those of the level before and are smaller by the factor sqrt(0.5).
 struct SpecularAtlas {
-    Image image;     ///< 2 size wide and about 3.26 size high.
+    Image image;     ///< 2 size wide and specularHeight(size) high.
     float range = 0; ///< The largest radiance that a texel can hold.
 };
+
+/// Of an atlas whose sharpest squares have that size: about 3.26 times as much.
+int specularHeight(int size);
 
 /// Leaves a rim around each square, one texel in the smallest, that is filled from beyond the horizon for
 /// the linear filter.
@@ -46,12 +49,15 @@ inline constexpr float kSpecularScale = 7.0f / 8.0f;
 /// about five seconds on two cores of a desktop; it runs on all, and the result is the same on any number.
 SpecularAtlas filterSpecular(const Environment& sky, int size = kSpecularSize, const Progress& progress = {});
 
-/// What a surface makes of that sky, for a 2D texture with linear filter, clamped to its edge. u is N.V, v
-/// the perceptual roughness. With F0 the reflectance at normal incidence and d = D (2 N.V N - V) + (1 - D) N:
-/// R and G: the light of a white sky that is reflected is F0 R + G, within 0.004 from N.V 0.02 and roughness
-/// 0.1 up, and within 0.011 below;
-/// B: D, how little d is bent towards N; A: the share of the irradiance in that light. The level to look at
-/// is 2 log2(roughness) + 8 - kSpecularSharpening (1 - N.V) (1 - roughness), from 0 up.
+inline constexpr int kLookupWidth = 128;
+inline constexpr int kLookupHeight = 256;
+
+/// What a surface makes of that sky, as a picture of kLookupWidth x kLookupHeight for a 2D texture with
+/// linear filter, clamped to its edge. u is N.V, v the perceptual roughness. With F0 the reflectance at
+/// normal incidence and d = D (2 N.V N - V) + (1 - D) N: R and G: the light of a white sky that is reflected
+/// is F0 R + G, within 0.004 from N.V 0.02 and roughness 0.1 up, and within 0.011 below; B: D, how little d
+/// is bent towards N; A: the share of the irradiance in that light. The level to look at is 2 log2(roughness)
+/// + 8 - kSpecularSharpening (1 - N.V) (1 - roughness), from 0 up.
 Image specularLookup();
 
 /// Both textures: what Renderer::setMirror() takes.

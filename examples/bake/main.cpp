@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "common/exit_code.h"
+#include "common/progress_bar.h"
+#include "franken/baked_sky.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+
+using namespace franken;
+
+namespace {
+
+constexpr char kAbout[] =
+    "Filters a sky once, so that a Pi has nothing to do but to load it: the light that it sends to matt\n"
+    "surfaces, what rough mirrors show of it, how much they reflect, and the sky itself as a cube map.";
+constexpr char kFooter[] = "The file's format is in franken/baked_sky.h. `viewer --skybox` takes it.\n"
+                           "Exit codes: 0 ok, 2 usage, 3 the sky was refused, 4 the file cannot be written.\n"
+                           "Example: bake venice.hdr -o venice.sky --sun";
+
+struct Options {
+    std::filesystem::path sky, output;
+    BakeOptions bake;
+};
+
+ExitCode fail(const Error& error, ExitCode code) {
+    std::cerr << "bake: error: " << toString(error) << "\n";
+    return code;
+}
+
+Result<void> write(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
+    std::ofstream file(path, std::ios::binary);
+    if (file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))
+            .flush())
+        return {};
+    return Error{"bake.write", path.string(), std::string("cannot be written: ") + std::strerror(errno),
+                 "check the folder, its permissions and the space left"};
+}
+
+ExitCode run(Options options) {
+    ProgressBar bar("filtering");
+    options.bake.progress = [&bar](float share) { bar.show(share); };
+    Result<Environment> sky = loadEnvironment(options.sky);
+    if (!sky)
+        return fail(sky.error(), ExitCode::Refused);
+    const BakedSky baked = bakeSky(*std::move(sky), options.bake);
+    if (options.bake.sun && !baked.sun)
+        std::cerr << "bake: warning: no part of the sky is bright enough to be a sun\n";
+    const Result<void> written = write(options.output, encodeBakedSky(baked));
+    return written ? ExitCode::Ok : fail(written.error(), ExitCode::Device);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    Options options;
+    CLI::App app(kAbout, "bake");
+    app.footer(kFooter);
+    app.add_option("SKY", options.sky, "A .hdr, a cross, or a folder of six faces")->required();
+    app.add_option("-o,--output-file", options.output, "The baked sky [SKY's name with .sky]")
+        ->type_name("FILE");
+    app.add_flag("--sun", options.bake.sun, "Takes the sun out and stores it as a directional light");
+    app.add_option("--backdrop", options.bake.backdropSize,
+                   "Of a face of the cube map behind the scene, texels; 0 for none [512]")
+        ->check(CLI::Range(0, kMaxSkyWidth / 4));
+    app.add_option("--size", options.bake.specularSize,
+                   "Of the sharpest mirror image's squares, texels; a Pi 3 takes up to 512 [256]")
+        ->check(CLI::Range(kMinSpecularSize, kMaxSpecularSize));
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return static_cast<int>(app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage);
+    }
+    if (options.output.empty())
+        options.output = options.sky.has_stem() ? options.sky.stem().concat(".sky") : "out.sky";
+    return static_cast<int>(run(options));
+}

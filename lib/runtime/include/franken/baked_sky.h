@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "franken/environment.h"
+#include "franken/specular_sky.h"
+
+/// A sky with all that programs need of it, and the file that holds it. Filtering a sky takes seconds on a
+/// desktop and most of a minute on a Pi: `bake` (in examples/) does it once, and a Pi reads the result.
+/// Nothing here needs GL, and all of it may be called on any thread.
+namespace franken {
+
+struct BakedSky {
+    SkyCoefficients coefficients{}; ///< Lighting::sky.
+    std::optional<Sun> sun;         ///< What was taken out of the sky, to be added to Lighting::suns.
+    SkyCube backdrop;               ///< Renderer::setBackdrop(); its size is 0 where none was asked for.
+    SkyMirror mirror;               ///< Renderer::setMirror().
+};
+
+struct BakeOptions {
+    bool sun = false;       ///< Takes the sun out of the sky (takeSun).
+    int backdropSize = 512; ///< Of a face, texels; 0 to kMaxSkyWidth / 4. 0 leaves the backdrop out.
+    int specularSize = kSpecularSize; ///< kMinSpecularSize to kMaxSpecularSize.
+    Progress progress = {};
+};
+
+BakedSky bakeSky(Environment sky, const BakeOptions& options);
+
+/// The file, version 1: little-endian, floats as IEEE 754 has them, nothing between the parts.
+///
+/// | bytes | what |
+/// |---|---|
+/// | 8 | "FRANKSKY" |
+/// | 4 | 1, the version |
+/// | 108 | the coefficients: 27 floats, RGB by RGB |
+/// | 4 | 1 where a sun follows, or 0 |
+/// | 28 | the sun: direction, colour, illuminance; zeros where there is none |
+/// | 4, 4 | the backdrop: size of a face, range (float) |
+/// | 4, 4 | the levels: size of the sharpest one's squares, range (float) |
+/// | 24 size^2 | the backdrop's faces, RGBA8 |
+/// | 8 size specularHeight(size) | the levels, RGBA8 |
+/// | 131,072 | the lookup, RGBA8 |
+///
+/// About 8 MB with the sizes of BakeOptions. Ranges and layouts are those of SkyCube and SpecularAtlas.
+std::vector<std::uint8_t> encodeBakedSky(const BakedSky& sky);
+
+/// Reads it back. Every number is checked before it is used. Fails with "sky.baked": not such a file, another
+/// version, cut short or too long, a size out of range, or a number that is not finite or below 0.
+Result<BakedSky> decodeBakedSky(std::span<const std::uint8_t> bytes);
+
+/// Loads a sky that was baked (then `options` mean nothing), or any that loadEnvironment() takes and bakes it
+/// now. Fails as loadEnvironment() and decodeBakedSky() do.
+Result<BakedSky> loadSky(const std::filesystem::path& path, const BakeOptions& options = {});
+
+} // namespace franken

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The program `bake` as a shell sees it.
+#include "franken/baked_sky.h"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdlib>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+namespace franken {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Bake : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = fs::path(FRANKEN_BINARY_DIR) / "bake-test" /
+                   testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::remove_all(m_folder);
+        fs::create_directories(m_folder);
+    }
+
+    int run(const std::string& arguments) const {
+        const std::string command = "cd " + m_folder.string() + " && " BAKE " " + arguments + " >out 2>err";
+        return WEXITSTATUS(std::system(command.c_str()));
+    }
+
+    /// 64 x 32 texels of one radiance, (2, 1, 0.5), and one bright texel ahead, a bit up.
+    void writeSky(const std::string& name) const {
+        std::ofstream file(m_folder / name, std::ios::binary);
+        file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+        for (int i = 0; i < 64 * 32; ++i) {
+            const char sun[] = {static_cast<char>(200), static_cast<char>(200), static_cast<char>(200),
+                                static_cast<char>(140)};
+            const char plain[] = {static_cast<char>(128), 64, 32, static_cast<char>(130)};
+            file.write(i == 10 * 64 + 32 ? sun : plain, 4);
+        }
+    }
+
+    fs::path m_folder;
+};
+
+TEST_F(Bake, MakesOfASkyWhatTheRuntimeReads) {
+    writeSky("flat.hdr");
+    ASSERT_EQ(run("flat.hdr --sun --backdrop 16"), 0);
+    const auto baked = loadSky(m_folder / "flat.sky");
+    ASSERT_TRUE(baked) << toString(baked.error());
+    EXPECT_EQ(baked->backdrop.size, 16);
+    EXPECT_EQ(baked->mirror.atlas.image.width, 2 * kSpecularSize);
+    ASSERT_TRUE(baked->sun);
+    EXPECT_GT(baked->sun->direction[2], 0.5f) << "it shines from ahead";
+    EXPECT_LT(baked->sun->direction[1], 0) << "and from above";
+    // 2 sqrt(pi) times the mean: of the plain texels, and of 32 times the mean (4.1) on one of 1,560.
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        EXPECT_NEAR(baked->coefficients[0][channel],
+                    3.5449f * (std::array{2.0f, 1.0f, 0.5f}[channel] + 32 * 4.1f / 1560), 0.02f);
+
+    // The same as without the file.
+    const auto direct = loadSky(m_folder / "flat.hdr", {.sun = true, .backdropSize = 16});
+    ASSERT_TRUE(direct);
+    EXPECT_EQ(encodeBakedSky(*direct), encodeBakedSky(*baked));
+}
+
+TEST_F(Bake, ExitCodesTellWhoseFaultItIs) {
+    writeSky("flat.hdr");
+    EXPECT_EQ(run("--help"), 0);
+    EXPECT_EQ(run(""), 2);
+    EXPECT_EQ(run("flat.hdr --size 100"), 2);
+    EXPECT_EQ(run("flat.hdr --backdrop 4096"), 2);
+    EXPECT_EQ(run("missing.hdr"), 3);
+    std::ofstream(m_folder / "broken.hdr") << "#?RADIANCE";
+    EXPECT_EQ(run("broken.hdr"), 3);
+    EXPECT_EQ(run("flat.hdr --backdrop 0 -o no/such/folder.sky"), 4);
+}
+
+} // namespace
+} // namespace franken
