@@ -99,12 +99,13 @@ void addInterface(Interface& interface, const Interface& part) {
         addUniform(interface, uniform);
 }
 
-void composeStage(const Permutation& permutation, Stage stage, ComposedStage& out, Interface& interface) {
+void composeStage(const Permutation& permutation, const SnippetSet& snippets, Stage stage, ComposedStage& out,
+                  Interface& interface) {
     const std::vector<Step> steps = plan(permutation, stage);
     std::vector<const Part*> parts;
     parts.reserve(steps.size());
     for (const Step& step : steps)
-        parts.push_back(&partOf(step));
+        parts.push_back(&partOf(snippets, step));
     Writer writer(out);
     writeHeader(writer, permutation, stage, steps);
     writer.section(parts, &Part::declarations);
@@ -133,14 +134,14 @@ int reportedLine(std::string_view message) {
 
 } // namespace
 
-Composed compose(const Permutation& permutation) {
+Composed compose(const Permutation& permutation, const SnippetSet& snippets) {
     Composed composed;
     composed.interface.attributes.reserve(8);
     composed.interface.varyings.reserve(8);
     composed.interface.uniforms.reserve(32);
     composed.interface.samplers.reserve(8);
-    composeStage(permutation, Stage::Vertex, composed.vertex, composed.interface);
-    composeStage(permutation, Stage::Fragment, composed.fragment, composed.interface);
+    composeStage(permutation, snippets, Stage::Vertex, composed.vertex, composed.interface);
+    composeStage(permutation, snippets, Stage::Fragment, composed.fragment, composed.interface);
     return composed;
 }
 
@@ -154,8 +155,7 @@ std::string annotateLog(std::string_view log, const ComposedStage& stage) {
         const auto line = static_cast<std::size_t>(reportedLine(message));
         if (line > 0 && line <= stage.lines.size() && !stage.lines[line - 1].snippet.empty()) {
             const LineOrigin& origin = stage.lines[line - 1];
-            annotated += " [generator/glsl/" + std::string(origin.snippet) +
-                         ".glsl:" + std::to_string(origin.line) + "]";
+            annotated += " [" + placeOf(origin.snippet, origin.line) + "]";
         }
         annotated += '\n';
     }

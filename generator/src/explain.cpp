@@ -50,7 +50,7 @@ Permutation smallestWith(const Step& step, Permutation permutation) {
 }
 
 Reason reasonFor(const Step& step, const Permutation& permutation, const std::vector<Missed>& missed) {
-    Reason reason{std::string(partOf(step).name), Reason::Kind::All, {}};
+    Reason reason{snippetName(recipe()[step.row]), Reason::Kind::All, {}};
     for (const Missed& each : missed)
         if (!contains(each.plan, step))
             reason.words.push_back(each.word);

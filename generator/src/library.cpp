@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "library.h"
 
-#include <cassert>
-
 namespace franken {
 namespace {
 
@@ -33,7 +31,7 @@ std::string fill(const std::vector<Piece>& pieces, const Step& step) {
 }
 
 void addDeclaration(Interface& interface, const Declaration& declaration, const Step& step) {
-    const std::string name = fill(declaration.name, step);
+    const std::string name = declaredName(declaration, step);
     const bool vertex = recipe()[step.row].stage == Stage::Vertex;
     if (declaration.kind == Declaration::Kind::Attribute)
         interface.attributes.push_back({name, declaration.type, attributeLocation(name)});
@@ -50,48 +48,36 @@ Part makePart(const Snippet& snippet, const Step& step) {
     const auto section = [&](const Section& from) {
         return Part::Section{fill(from.pieces, step), from.lines};
     };
-    Part part{
-        snippet.name, section(snippet.declarations), section(snippet.functions), section(snippet.main), {}};
+    Part part{section(snippet.declarations), section(snippet.functions), section(snippet.main), {}};
     for (const Declaration& declaration : snippet.interface)
         addDeclaration(part.interface, declaration, step);
     return part;
 }
 
-Snippet load(const Row& row) {
-    const std::string name =
-        (row.stage == Stage::Vertex ? "vertex/" : "fragment/") + std::string(row.snippet);
-    for (const SnippetFile& file : embeddedSnippets())
-        if (file.name == name) {
-            auto snippet = parseSnippet(file);
-            assert(snippet && "a test parses all embedded snippets");
-            return std::move(*snippet);
-        }
-    assert(false && "a row of the recipe names a snippet that is not embedded");
-    return {};
-}
-
 std::size_t streamCount(const Row& row) { return row.uv ? 2 : 1; }
-
-// By row, then by light, then by stream.
-std::vector<std::vector<Part>> makeAll() {
-    std::vector<std::vector<Part>> all;
-    for (std::uint8_t row = 0; row < recipe().size(); ++row) {
-        const Row& r = recipe()[row];
-        const Snippet snippet = load(r);
-        std::vector<Part>& parts = all.emplace_back();
-        for (std::uint8_t light = 0; light < (r.each == Each::Once ? 1 : Permutation::kMaxLights); ++light)
-            for (std::size_t uv = 0; uv < streamCount(r); ++uv)
-                parts.push_back(makePart(snippet, {row, light, static_cast<UvStream>(uv)}));
-    }
-    return all;
-}
 
 } // namespace
 
-const Part& partOf(const Step& step) {
-    static const std::vector<std::vector<Part>> all = makeAll();
+std::string snippetName(const Row& row) {
+    return (row.stage == Stage::Vertex ? "vertex/" : "fragment/") + std::string(row.snippet);
+}
+
+std::string declaredName(const Declaration& declaration, const Step& step) {
+    return fill(declaration.name, step);
+}
+
+std::vector<Part> makeParts(std::uint8_t row, const Snippet& snippet) {
+    const Row& r = recipe()[row];
+    std::vector<Part> parts;
+    for (std::uint8_t light = 0; light < (r.each == Each::Once ? 1 : Permutation::kMaxLights); ++light)
+        for (std::size_t uv = 0; uv < streamCount(r); ++uv)
+            parts.push_back(makePart(snippet, {row, light, static_cast<UvStream>(uv)}));
+    return parts;
+}
+
+const Part& partOf(const SnippetSet& snippets, const Step& step) {
     const std::size_t streams = streamCount(recipe()[step.row]);
-    return all[step.row][step.light * streams + static_cast<std::size_t>(step.uv)];
+    return snippets.parts().rows[step.row][step.light * streams + static_cast<std::size_t>(step.uv)];
 }
 
 } // namespace franken

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/generator/snippet_set.h"
 #include "recipe.h"
 #include "snippet.h"
 
@@ -13,12 +14,24 @@ struct Part {
         std::vector<LineOrigin> lines;
     };
 
-    std::string_view name; ///< "fragment/gltf"
     Section declarations, functions, main;
     Interface interface; ///< What the declarations declare; varyings in the vertex stage only.
 };
 
-/// All parts are made at the first call, so that composing only copies.
-const Part& partOf(const Step& step);
+/// Made once for a set, so that composing only copies.
+struct SnippetSet::Parts {
+    std::vector<std::vector<Part>> rows; ///< By row, then by light, then by stream.
+};
+
+const Part& partOf(const SnippetSet& snippets, const Step& step);
+
+/// What a row's snippet is called: "fragment/gltf".
+std::string snippetName(const Row& row);
+
+/// A declaration's name with its placeholders filled in: "uSun0Direction".
+std::string declaredName(const Declaration& declaration, const Step& step);
+
+/// The parts of one row, from its snippet.
+std::vector<Part> makeParts(std::uint8_t row, const Snippet& snippet);
 
 } // namespace franken

@@ -12,8 +12,8 @@ constexpr std::array<std::pair<std::string_view, Placeholder>, 3> kPlaceholders 
     {{"light", Placeholder::Light}, {"lane", Placeholder::Lane}, {"uv", Placeholder::Uv}}};
 
 Error badLine(std::string_view file, int line, std::string what) {
-    return {"snippet.syntax", "generator/glsl/" + std::string(file) + ".glsl:" + std::to_string(line),
-            std::move(what), "see generator/README.md for the contract of a snippet"};
+    return {"snippet.syntax", placeOf(file, line), std::move(what),
+            "see generator/README.md for the contract of a snippet"};
 }
 
 std::optional<Placeholder> findPlaceholder(std::string_view word) {
@@ -83,7 +83,7 @@ Result<Declaration> parseDeclaration(std::string_view line, Declaration::Kind ki
     const auto pieces = parsePieces(name);
     if (!type || name.empty() || !pieces)
         return badLine(file, number, "a declaration needs a type and a name");
-    Declaration declaration{kind, *type, Block::Frame, 1, *pieces};
+    Declaration declaration{kind, *type, Block::Frame, 1, *pieces, number};
     if (rest.starts_with('['))
         declaration.count = rest[1] - '0';
     if (kind == Declaration::Kind::Uniform) {
@@ -133,6 +133,10 @@ Result<void> addLine(Snippet& snippet, Section& section, std::string_view line, 
 }
 
 } // namespace
+
+std::string placeOf(std::string_view snippet, int line) {
+    return "generator/glsl/" + std::string(snippet) + ".glsl:" + std::to_string(line);
+}
 
 Result<Snippet> parseSnippet(const SnippetFile& file) {
     Snippet snippet{file.name, {}, {}, {}, {}};

@@ -42,6 +42,7 @@ struct Declaration {
     Block block;
     int count; ///< Array length, 1 for what is none.
     std::vector<Piece> name;
+    int line; ///< In its file, from 1.
 };
 
 /// One parsed file: see generator/README.md for the contract.
@@ -50,6 +51,9 @@ struct Snippet {
     Section declarations, functions, main;
     std::vector<Declaration> interface;
 };
+
+/// "generator/glsl/fragment/gltf.glsl:12"
+std::string placeOf(std::string_view snippet, int line);
 
 /// Parses a file; an error says file and line. The text must outlive the snippet.
 Result<Snippet> parseSnippet(const SnippetFile& file);

@@ -15,11 +15,13 @@ function(franken_component name source_dir)
     install(EXPORT FrankenShader-${name} NAMESPACE FrankenShader:: DESTINATION ${package_dir})
 endfunction()
 
-# A shared library of ours needs the others beside it, and says which version of the interface it is.
+# A shared library of ours says which version of the interface it is, and finds the others beside it.
 function(franken_library name source_dir)
     set_target_properties(franken_${name} PROPERTIES
-        VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
-        INSTALL_RPATH $ORIGIN)
+        VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+    if(BUILD_SHARED_LIBS)
+        set_target_properties(franken_${name} PROPERTIES INSTALL_RPATH $ORIGIN)
+    endif()
     franken_component(${name} ${source_dir})
 endfunction()
 
@@ -32,8 +34,10 @@ if(FRANKEN_PLATFORM)
     franken_library(platform platform)
 endif()
 if(FRANKEN_CLI)
-    file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
-    set_target_properties(frankenshader PROPERTIES INSTALL_RPATH $ORIGIN/${bin_to_lib})
+    if(BUILD_SHARED_LIBS)
+        file(RELATIVE_PATH bin_to_lib ${CMAKE_INSTALL_FULL_BINDIR} ${CMAKE_INSTALL_FULL_LIBDIR})
+        set_target_properties(frankenshader PROPERTIES INSTALL_RPATH $ORIGIN/${bin_to_lib})
+    endif()
     install(TARGETS frankenshader RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     install(FILES generator/cli/frankenshader.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()

@@ -3,6 +3,7 @@
 
 #include "franken/generator/interface.h"
 #include "franken/generator/permutation.h"
+#include "franken/generator/snippet_set.h"
 
 #include <string>
 #include <string_view>
@@ -31,7 +32,7 @@ struct Composed {
 
 /// Writes the program of a canonical permutation (canonicalise first). Pure and deterministic: the same
 /// bytes on every machine, from any thread.
-Composed compose(const Permutation& permutation);
+Composed compose(const Permutation& permutation, const SnippetSet& snippets = SnippetSet::builtIn());
 
 /// Brings "<file>:<line>" information into a driver's log: each line number that the driver names gets the
 /// snippet's file and line appended. Knows the forms "0:12(5): ..." (Mesa) and "ERROR: 0:12: ..." (ANGLE,

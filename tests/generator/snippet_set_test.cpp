@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+// Programs from snippets that are read from a folder.
+#include "franken/generator/compose.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace franken {
+namespace {
+
+class SnippetSetTest : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = fs::path(FRANKEN_BINARY_DIR) / "snippet-set-test" /
+                   testing::UnitTest::GetInstance()->current_test_info()->name();
+        fs::remove_all(m_folder);
+        fs::create_directories(m_folder.parent_path());
+        fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", m_folder, fs::copy_options::recursive);
+    }
+
+    std::string read(const std::string& name) const {
+        std::ostringstream text;
+        text << std::ifstream(m_folder / name).rdbuf();
+        return text.str();
+    }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(m_folder / name) << text;
+    }
+    Error failure() const {
+        const Result<SnippetSet> set = SnippetSet::read(m_folder);
+        return set ? Error{"none", "", "", ""} : set.error();
+    }
+
+    static Permutation permutation(const char* name) { return canonicalise(*parseName(name))->permutation; }
+
+    fs::path m_folder;
+};
+
+TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {
+    const Result<SnippetSet> set = SnippetSet::read(m_folder);
+    ASSERT_TRUE(set) << toString(set.error());
+    for (const char* name : {"sun1", "basecolor.normal.metalrough.emissive+sh+sun2+lamp1+spots+aces+dither",
+                             "sky", "overlay", "normal+sun1+vertexlight", "unlit"}) {
+        const Composed built = compose(permutation(name)), read = compose(permutation(name), *set);
+        EXPECT_EQ(built.vertex.text, read.vertex.text) << name;
+        EXPECT_EQ(built.fragment.text, read.fragment.text) << name;
+        EXPECT_EQ(built.interface.uniforms.size(), read.interface.uniforms.size()) << name;
+    }
+}
+
+TEST_F(SnippetSetTest, AChangedFileChangesTheProgramsThatHaveIt) {
+    write("fragment/dark.glsl", read("fragment/dark.glsl") + "  diffuse += vec3(0.25);\n");
+    const Result<SnippetSet> set = SnippetSet::read(m_folder);
+    ASSERT_TRUE(set) << toString(set.error());
+    const Composed lit = compose(permutation("sun1"), *set);
+    EXPECT_NE(lit.fragment.text.find("  diffuse += vec3(0.25);\n"), std::string::npos);
+    EXPECT_EQ(lit.vertex.text, compose(permutation("sun1")).vertex.text);
+    EXPECT_EQ(compose(permutation("sky"), *set).fragment.text, compose(permutation("sky")).fragment.text);
+    EXPECT_EQ(compose(permutation("sun1")).fragment.text.find("0.25)"), std::string::npos);
+}
+
+TEST_F(SnippetSetTest, LinesNameTheirSnippetWhenTheSetIsGone) {
+    ComposedStage stage;
+    {
+        const Result<SnippetSet> set = SnippetSet::read(m_folder);
+        ASSERT_TRUE(set);
+        stage = compose(permutation("sun1"), *set).fragment;
+    }
+    const std::string text = annotateLog("0:" + std::to_string(stage.lines.size() - 1) + "(1): error", stage);
+    EXPECT_NE(text.find("[generator/glsl/fragment/write_opaque.glsl:"), std::string::npos) << text;
+}
+
+TEST_F(SnippetSetTest, ComposesOnManyThreadsAtOnce) {
+    const Result<SnippetSet> set = SnippetSet::read(m_folder);
+    ASSERT_TRUE(set);
+    const std::string expected = compose(permutation("basecolor+sun2"), *set).fragment.text;
+    std::vector<std::string> texts(8);
+    {
+        std::vector<std::jthread> threads;
+        for (std::string& text : texts)
+            threads.emplace_back([&text, snippets = *set] {
+                text = compose(permutation("basecolor+sun2"), snippets).fragment.text;
+            });
+    }
+    for (const std::string& text : texts)
+        EXPECT_EQ(text, expected);
+}
+
+TEST_F(SnippetSetTest, WhatBreaksTheContractIsRefusedWithFileAndLine) {
+    write("fragment/dark.glsl", "// Dark.\n//! maine\n");
+    EXPECT_EQ(failure().code, "snippet.syntax");
+    EXPECT_EQ(failure().where, "generator/glsl/fragment/dark.glsl:2");
+}
+
+TEST_F(SnippetSetTest, WhatTheBuildCannotFeedIsRefused) {
+    struct Row {
+        const char *declaration, *name;
+    };
+    for (const Row& row :
+         {Row{"uniform vec3 uNew; // frame: new", "uNew"},
+          Row{"uniform vec4 uAmbient; // lights: another type", "uAmbient"},
+          Row{"uniform vec3 uAmbient; // frame: another block", "uAmbient"},
+          Row{"uniform vec3 uBaseColorCubic[9]; // material: longer", "uBaseColorCubic"},
+          Row{"uniform sampler2D uNoise; // frame: new", "uNoise"}, Row{"attribute vec3 aWind;", "aWind"}}) {
+        write("fragment/dark.glsl", std::string("// Dark.\n//! declarations\n") + row.declaration + "\n");
+        EXPECT_EQ(failure().code, "snippet.interface") << row.declaration;
+        EXPECT_EQ(failure().where, "generator/glsl/fragment/dark.glsl:3") << row.declaration;
+        EXPECT_NE(failure().what.find(row.name), std::string::npos) << failure().what;
+    }
+}
+
+TEST_F(SnippetSetTest, AFileThatIsMissingOrHugeOrEmptyIsRefused) {
+    write("fragment/dark.glsl", std::string(70000, ' '));
+    EXPECT_EQ(failure().code, "snippet.file");
+    write("fragment/dark.glsl", "");
+    EXPECT_EQ(failure().code, "snippet.file");
+    fs::remove(m_folder / "fragment/dark.glsl");
+    EXPECT_EQ(failure().code, "snippet.file");
+    EXPECT_EQ(failure().where, (m_folder / "fragment/dark.glsl").string());
+    EXPECT_EQ(SnippetSet::read("no/such/folder").error().code, "snippet.file");
+}
+
+} // namespace
+} // namespace franken
