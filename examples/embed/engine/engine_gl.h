@@ -8,12 +8,12 @@
 /// The engine's own GL loader: the functions that it calls itself.
 #define ENGINE_GL_FUNCTIONS(X)                                                                               \
     X(ActiveTexture)                                                                                         \
-    X(AttachShader) X(BindBuffer) X(BindTexture) X(BufferData) X(Clear) X(ClearColor) X(CompileShader)       \
-        X(CreateProgram) X(CreateShader) X(Disable) X(DisableVertexAttribArray) X(DrawArrays)                \
-            X(DrawElements) X(Enable) X(EnableVertexAttribArray) X(GenBuffers) X(GenTextures)                \
-                X(GetAttribLocation) X(GetError) X(GetUniformLocation) X(LinkProgram) X(ReadPixels)          \
-                    X(ShaderSource) X(TexImage2D) X(TexParameteri) X(Uniform1f) X(UseProgram)                \
-                        X(VertexAttribPointer) X(Viewport)
+    X(AttachShader)                                                                                          \
+    X(BindBuffer) X(BindTexture) X(BufferData) X(Clear) X(ClearColor) X(CompileShader) X(CreateProgram)      \
+        X(CreateShader) X(Disable) X(DisableVertexAttribArray) X(DrawArrays) X(DrawElements) X(Enable)       \
+            X(EnableVertexAttribArray) X(GenBuffers) X(GenTextures) X(GetAttribLocation) X(GetError)         \
+                X(GetUniformLocation) X(LinkProgram) X(ReadPixels) X(ShaderSource) X(TexImage2D)             \
+                    X(TexParameteri) X(Uniform1f) X(UseProgram) X(VertexAttribPointer) X(Viewport)
 
 struct EngineGl {
 #define ENGINE_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;

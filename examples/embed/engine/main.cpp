@@ -27,7 +27,7 @@ public:
 
     franken::Result<void> prepare(const World& world) {
         for (const Thing& thing : world.things) {
-            franken::Result<Pbr::Look> look = Pbr::lookOf(thing.paint);
+            franken::Result<Pbr::Look> look = m_pbr.lookOf(thing.paint);
             if (!look)
                 return look.error();
             m_looks.push_back(*std::move(look));
@@ -35,7 +35,7 @@ public:
         return {};
     }
 
-    franken::Result<void> draw(const World& world, float seconds) {
+    void draw(const World& world, float seconds) {
         m_engine.Disable(GL_DITHER);
         m_engine.Viewport(0, 0, kWidth, kHeight);
         m_engine.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
@@ -46,9 +46,7 @@ public:
         bindTexture("uNormalTexture", m_ridges);
         m_pbr.beginFrame(world, static_cast<float>(kWidth) / kHeight);
         for (std::size_t i = 0; i < world.things.size(); ++i)
-            if (franken::Result<void> drawn = m_pbr.draw(world.things[i], m_looks[i], m_meshes[i]); !drawn)
-                return drawn;
-        return {};
+            m_pbr.draw(world.things[i], m_looks[i], m_meshes[i]);
     }
 
     const franken::ProgramCounters& counters() const { return m_pbr.counters(); }
@@ -93,8 +91,7 @@ int main(int argc, char** argv) {
     for (int frame = 0; frame < frames; ++frame) {
         const float seconds = static_cast<float>(frame) / 60;
         animate(world, seconds);
-        if (const franken::Result<void> drawn = renderer.draw(world, seconds); !drawn)
-            return fail(toString(drawn.error()));
+        renderer.draw(world, seconds);
     }
 
     std::vector<std::uint8_t> picture(4 * kWidth * kHeight);

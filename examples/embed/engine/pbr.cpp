@@ -43,10 +43,13 @@ Result<Pbr::Look> Pbr::lookOf(const Paint& paint) {
     const Result<Canonical> canonical = canonicalise(wanted);
     if (!canonical)
         return canonical.error();
+    const Result<ProgramHandle> program = m_cache.get(canonical->permutation);
+    if (!program)
+        return program.error();
     const MaterialFactors factors = {.baseColor = {paint.color.r, paint.color.g, paint.color.b, 1},
                                      .metallic = paint.metallic,
                                      .roughness = paint.roughness};
-    Look look{canonical->permutation, {}, {}};
+    Look look{*program, {}, {}};
     look.material.edit() = packMaterial(factors, wanted.brdf, 1);
     return look;
 }
@@ -66,20 +69,16 @@ void Pbr::beginFrame(const World& world, float aspect) {
              eye, 1);
 }
 
-Result<void> Pbr::draw(const Thing& thing, Look& look, const GpuMesh& mesh) {
-    const Result<ProgramHandle> program = m_cache.get(look.permutation);
-    if (!program)
-        return program.error();
+void Pbr::draw(const Thing& thing, Look& look, const GpuMesh& mesh) const {
     ObjectBlock& object = look.object.edit();
     copy(object.modelViewProjection, m_viewProjection * thing.place);
     copy(object.model, thing.place);
     copy(object.normalMatrix, glm::inverseTranspose(glm::mat3(thing.place)));
 
-    m_engine.UseProgram((*program)->name());
-    (*program)->feed({m_frame.view(), m_lights.view(), look.material.view(), look.object.view()});
-    bindVertices((*program)->attributes(), mesh);
+    m_engine.UseProgram(look.program->name());
+    look.program->feed({m_frame.view(), m_lights.view(), look.material.view(), look.object.view()});
+    bindVertices(look.program->attributes(), mesh);
     m_engine.DrawElements(GL_TRIANGLES, mesh.count, GL_UNSIGNED_SHORT, nullptr);
-    return {};
 }
 
 void Pbr::bindVertices(unsigned attributes, const GpuMesh& mesh) const {

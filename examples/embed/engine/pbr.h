@@ -13,9 +13,9 @@
 /// engine's.
 class Pbr {
 public:
-    /// A thing's share of it, made once.
+    /// A thing's share of it, made once. While it lives, its program does.
     struct Look {
-        franken::Permutation permutation;
+        franken::ProgramHandle program;
         franken::UniformBlock<franken::MaterialBlock> material;
         franken::UniformBlock<franken::ObjectBlock> object;
     };
@@ -23,13 +23,13 @@ public:
     /// Both tables must outlive it.
     Pbr(const EngineGl& engine, const franken::Gl& gl) : m_engine(engine), m_cache(gl) {}
 
-    static franken::Result<Look> lookOf(const Paint& paint);
+    franken::Result<Look> lookOf(const Paint& paint);
 
     /// What is the same for all things of a frame.
     void beginFrame(const World& world, float aspect);
 
     /// Draws with whatever is bound: the pictures to the units of their roles, depth test and culling on.
-    franken::Result<void> draw(const Thing& thing, Look& look, const GpuMesh& mesh);
+    void draw(const Thing& thing, Look& look, const GpuMesh& mesh) const;
 
     const franken::ProgramCounters& counters() const { return m_cache.counters(); }
 

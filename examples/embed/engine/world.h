@@ -46,8 +46,8 @@ struct World {
     Bitmap ridges; ///< A normal map.
 
     glm::vec3 eye{0, 1.5f, 3.6f}, lookAt{0, 0, 0}; ///< m
-    float yfov = 0.7f;                                 ///< Radians.
-    float near = 0.5f, far = 20;                       ///< m
+    float yfov = 0.7f;                             ///< Radians.
+    float near = 0.5f, far = 20;                   ///< m
 
     glm::vec3 sunDirection{-0.5f, -1, -0.4f}; ///< Where its light travels.
     float sunLux = 2.5f;

@@ -127,6 +127,16 @@ void ProgramCache::abandon() {
     }
     for (const std::shared_ptr<Shader>& shader : m_shaders)
         shader->name.release();
+    clear();
+}
+
+void ProgramCache::setSnippets(const SnippetSet& snippets) {
+    m_thread.check();
+    m_snippets = snippets;
+    clear();
+}
+
+void ProgramCache::clear() {
     m_entries.clear();
     m_shaders.clear();
     m_table.clear();
@@ -135,7 +145,7 @@ void ProgramCache::abandon() {
 
 ProgramCache::Entry& ProgramCache::add(const Permutation& permutation) {
     const Stopwatch stopwatch(m_counters.milliseconds);
-    Composed composed = compose(permutation);
+    Composed composed = compose(permutation, m_snippets);
     Entry entry{.permutation = permutation,
                 .key = toKey(permutation),
                 .vertex = shader(permutation, Stage::Vertex, composed.vertex),
@@ -201,7 +211,7 @@ Error ProgramCache::reasonOf(const Entry& entry) const {
         GLint compiled = GL_TRUE;
         m_gl->GetShaderiv(shader->name.name(), GL_COMPILE_STATUS, &compiled);
         if (compiled == GL_FALSE && !shader->log) {
-            const Composed composed = compose(entry.permutation);
+            const Composed composed = compose(entry.permutation, m_snippets);
             const bool vertex = shader->stage == Stage::Vertex;
             shader->log = annotateLog(logOf(shader->name.name(), m_gl->GetShaderiv, m_gl->GetShaderInfoLog),
                                       vertex ? composed.vertex : composed.fragment);

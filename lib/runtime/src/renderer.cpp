@@ -48,6 +48,11 @@ void Renderer::setLook(const Look& look) {
     m_state->resolved = false;
 }
 
+void Renderer::setSnippets(const SnippetSet& snippets) {
+    m_state->cache.setSnippets(snippets);
+    m_state->resolved = false;
+}
+
 Result<void> Renderer::prepare() { return m_state->resolvePrograms(); }
 
 Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/generator/permutation.h"
+#include "franken/generator/snippet_set.h"
 #include "franken/key_table.h"
 #include "franken/log.h"
 #include "franken/own_thread.h"
@@ -71,6 +72,10 @@ public:
     /// Makes a program a failed one, because it links and does not draw. Whoever holds it still can.
     void reject(const Permutation& permutation, Error error);
 
+    /// Composes from other snippets from now on (those that the library was built with at first): for people
+    /// who write them. The cache is empty afterwards, failures forgotten; who holds a program keeps it.
+    void setSnippets(const SnippetSet& snippets);
+
     /// To be called in place of everything else when the context is lost: all GL names are gone, those of the
     /// programs that others hold included. The cache is empty afterwards, failures forgotten.
     void abandon();
@@ -105,12 +110,14 @@ private:
     void finish(Entry& entry);
     void fail(Entry& entry, Error error);
     Error reasonOf(const Entry& entry) const;
+    void clear();
     void makeRoom();
     void evict(std::size_t place);
     void dropUnusedShaders();
 
     const Gl* m_gl;
     ProgramCacheOptions m_options;
+    SnippetSet m_snippets = SnippetSet::builtIn();
     OwnThread m_thread;
     KeyTable m_table; ///< Into m_entries.
     std::vector<Entry> m_entries;

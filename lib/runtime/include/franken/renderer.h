@@ -95,6 +95,10 @@ public:
     void setLighting(const Lighting& lighting);
     void setLook(const Look& look);
 
+    /// Makes programs from other snippets from now on, all of them anew: for people who write snippets. Who
+    /// would rather keep what works tries them in a ProgramCache of his own first.
+    void setSnippets(const SnippetSet& snippets);
+
     /// Makes the programs that the next frame needs, so that it compiles nothing. Fails as
     /// ProgramCache::get() does.
     Result<void> prepare();
