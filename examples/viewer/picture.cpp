@@ -38,8 +38,9 @@ Image halved(const Image& image) {
     return half;
 }
 
-Result<void> draw(const Gl& gl, unsigned framebuffer, platform::Size size, const Subject& subject,
+Result<void> draw(const Gl& gl, const platform::Surface& surface, const Subject& subject,
                   const Options& options, const Log& log) {
+    const platform::Size size = surface.size();
     Renderer renderer(gl, log);
     if (Result<void> loaded = renderer.load(subject.scene); !loaded)
         return loaded;
@@ -51,10 +52,12 @@ Result<void> draw(const Gl& gl, unsigned framebuffer, platform::Size size, const
             return mirrored;
     }
     renderer.setLighting(subject.lighting);
-    renderer.setLook(options.look);
+    Look look = options.look;
+    look.srgbTarget = surface.srgbTarget();
+    renderer.setLook(look);
     const Camera camera = tightened(subject.camera, subject.scene.bounds());
     return renderer.draw(viewpointOf(camera, static_cast<double>(size.width) / size.height),
-                         {.framebuffer = framebuffer,
+                         {.framebuffer = surface.framebuffer(),
                           .width = size.width,
                           .height = size.height,
                           .background = options.background});
@@ -72,7 +75,7 @@ Result<Image> drawPicture(const Subject& subject, const Options& options, const 
     const Result<Gl> gl = Gl::load((*surface)->getProcAddress());
     if (!gl)
         return gl.error();
-    if (Result<void> drawn = draw(*gl, (*surface)->framebuffer(), size, subject, options, log); !drawn)
+    if (Result<void> drawn = draw(*gl, **surface, subject, options, log); !drawn)
         return drawn.error();
     const Image image = readTopDown(*gl, size);
     return options.supersample ? halved(image) : image;

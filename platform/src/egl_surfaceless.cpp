@@ -94,7 +94,7 @@ public:
             eglDestroyContext(m_display, m_context);
     }
 
-    Result<void> open(int depthBits);
+    Result<void> open(const SurfaceOptions& options);
 
     GetProcAddress getProcAddress() const override {
         return [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); };
@@ -107,28 +107,41 @@ protected:
     void unbind() override { eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
 private:
+    EGLSurface createPbuffer(EGLConfig config, bool srgb) const;
+
     EGLDisplay m_display;
     EGLContext m_context = EGL_NO_CONTEXT;
     EGLSurface m_pbuffer = EGL_NO_SURFACE;
 };
 
-Result<void> EglSurface::open(int depthBits) {
-    const std::optional<EGLConfig> config = chooseConfig(m_display, depthBits);
+Result<void> EglSurface::open(const SurfaceOptions& options) {
+    const std::optional<EGLConfig> config = chooseConfig(m_display, options.depthBits);
     if (!config)
         return Error{"surface.driver", "eglChooseConfig",
-                     "the driver has no RGBA8 pbuffer for OpenGL ES 2.0 with " + std::to_string(depthBits) +
-                         " bits of depth",
+                     "the driver has no RGBA8 pbuffer for OpenGL ES 2.0 with " +
+                         std::to_string(options.depthBits) + " bits of depth",
                      "ask for 24 bits or fewer"};
     const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
     eglBindAPI(EGL_OPENGL_ES_API);
     m_context = eglCreateContext(m_display, *config, EGL_NO_CONTEXT, version);
     if (m_context == EGL_NO_CONTEXT)
         return lastError("eglCreateContext", kInstall);
-    const EGLint extent[] = {EGL_WIDTH, m_size.width, EGL_HEIGHT, m_size.height, EGL_NONE};
-    m_pbuffer = eglCreatePbufferSurface(m_display, *config, extent);
+    m_pbuffer = createPbuffer(*config, options.srgb);
+    m_srgbTarget = options.srgb && m_pbuffer != EGL_NO_SURFACE;
+    if (m_pbuffer == EGL_NO_SURFACE)
+        m_pbuffer = createPbuffer(*config, false);
     if (m_pbuffer == EGL_NO_SURFACE)
         return lastError("eglCreatePbufferSurface", "choose a smaller size");
     return makeReady();
+}
+
+EGLSurface EglSurface::createPbuffer(EGLConfig config, bool srgb) const {
+    EGLint attributes[] = {EGL_WIDTH, m_size.width, EGL_HEIGHT, m_size.height, EGL_NONE, EGL_NONE, EGL_NONE};
+    if (srgb) { // EGL_KHR_gl_colorspace; a driver without it refuses.
+        attributes[4] = EGL_GL_COLORSPACE_KHR;
+        attributes[5] = EGL_GL_COLORSPACE_SRGB_KHR;
+    }
+    return eglCreatePbufferSurface(m_display, config, attributes);
 }
 
 Result<void> EglSurface::bind() {
@@ -152,7 +165,7 @@ Result<std::unique_ptr<Surface>> createEglSurfaceless(const SurfaceOptions& opti
     if (!display)
         return display.error();
     auto surface = std::make_unique<EglSurface>(*display, options.size);
-    if (Result<void> opened = surface->open(options.depthBits); !opened)
+    if (Result<void> opened = surface->open(options); !opened)
         return opened.error();
     return std::unique_ptr<Surface>(std::move(surface));
 }

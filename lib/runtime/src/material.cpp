@@ -165,7 +165,7 @@ void apply(const Look& look, Permutation& permutation) {
     permutation.brdf = look.brdf;
     permutation.decode = look.decode;
     permutation.toneMap = look.toneMap;
-    permutation.output = look.output;
+    permutation.output = look.srgbTarget ? Output::Linear : look.output;
     permutation.dither = look.dither;
     permutation.view = look.view;
     permutation.target = look.target;

@@ -19,6 +19,9 @@ struct Look {
     Decode decode = Decode::Exact;
     ToneMap toneMap = ToneMap::None;
     Output output = Output::Srgb;
+    /// The target encodes what is written to it (platform::Surface::srgbTarget()): programs then write linear
+    /// light, whatever `output` says. Views of a material's numbers are encoded by such a target as well.
+    bool srgbTarget = false;
     Dither dither = Dither::None;
     View view = View::Shaded;
     Target target = Target::Generic;

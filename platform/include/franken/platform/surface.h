@@ -62,7 +62,8 @@ public:
     /// window system owns, but not to be taken for granted.
     unsigned framebuffer() const { return m_framebuffer; }
 
-    /// Whether the target encodes what is written to it (linear to sRGB), so that the shader must not.
+    /// Whether the target encodes what is written to it (linear to sRGB), so that the shader must not. Only
+    /// where SurfaceOptions::srgb asked for it.
     bool srgbTarget() const { return m_srgbTarget; }
 
     /// Where the functions come from; good for as long as the surface lives.
@@ -100,6 +101,7 @@ protected:
 
 struct SurfaceOptions {
     Size size = {256, 256}; ///< Each 1 to kMaxSurfaceSize.
+    bool srgb = false;      ///< A target that encodes, where the driver has one: see srgbTarget().
     int depthBits = 24;     ///< At least so many, 0 to 32; 0 where no depth buffer is needed.
     Log log = {};           ///< Told which driver was found.
 };
