@@ -3,17 +3,17 @@
 # measure.sh CAPTURES SEED > peers.tsv
 #   CAPTURES  the folder that capture.mjs wrote
 #   SEED      the seed page's program up to its number of suns: SEED1.vert, SEED1.frag, SEED4.vert, SEED4.frag
-#   QPU_STATS (environment) the command that compiles a pair for a GPU, draws with it and prints the driver's lines:
-#             QPU_STATS vc4|v3d42|v3d71 VERT FRAG
+# The compilers are ../toolchain.sh's.
 set -euo pipefail
 
-if [[ $# -ne 2 || -z ${QPU_STATS:-} ]]; then
-  sed -n '3,7s/^# //p' "$0" >&2
+if [[ $# -ne 2 ]]; then
+  sed -n '3,6s/^# //p' "$0" >&2
   exit 2
 fi
 captures=$1
 seed=$2
 here=$(dirname "$(readlink -f "$0")")
+stats=$("$here/../toolchain.sh")/bin/qpu-stats
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -31,9 +31,7 @@ figures() {
     /SHADER_FRAGMENT shader:/ { match($0, /[0-9]+ inst/); fragment = substr($0, RSTART, RLENGTH) + 0
                                 match($0, /[0-9]+ threads/); threads = substr($0, RSTART, RLENGTH) + 0 }
     /SHADER_VERTEX shader:/   { match($0, /[0-9]+ inst/); vertex = substr($0, RSTART, RLENGTH) + 0 }
-    /COMPILE FAILED/          { outcome = "does not compile" }
-    /LINK FAILED/             { outcome = "does not link" }
-    /Failed to register/      { outcome = "out of registers" }
+    /^(does not compile|does not link|out of registers|no figures)/ { outcome = $0; sub(/:.*/, "", outcome) }
     END {
       if (!outcome && !(fragment && vertex)) outcome = "no figures"
       if (outcome) fragment = threads = vertex = "-"
@@ -46,7 +44,7 @@ measure() {
   resolve "$5" vert "$3"
   resolve "$6" frag "$3"
   for gpu in vc4 v3d42 v3d71; do
-    "$QPU_STATS" "$gpu" "$work/program.vert" "$work/program.frag" > "$work/lines" 2>&1 || true
+    "$stats" "$gpu" "$work/program.vert" "$work/program.frag" > "$work/lines" 2>&1 || true
     printf '%s\t%s\t%s\t%s\t%s\t%s\n' "$1" "$2" "$3" "$4" "$gpu" "$(figures "$work/lines")"
   done
 }

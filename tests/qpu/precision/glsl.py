@@ -17,7 +17,7 @@ TOKEN = re.compile(r"\s*([A-Za-z_]\w*|\d+\.\d*(?:[eE][-+]?\d+)?|\d+|[-+*/]=|[-+*
 def tokens_of(text):
     text = re.sub(r"//[^\n]*", "", text)
     text = re.sub(r"(?m)^#.*$", "", text)
-    text = re.sub(r"precision \w+ float;", "", text)
+    text = re.sub(r"precision \w+ float;|\b(highp|mediump|lowp)\b", "", text)
     return TOKEN.findall(text)
 
 

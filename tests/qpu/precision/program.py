@@ -37,7 +37,8 @@ class Fed:
         varyings = Run(self.vertex, arithmetic, scope).scope
         scope = self._scope(self.fragment, number)
         scope.update({name: varyings[name] for name, (kind, *_) in self.fragment.globals.items() if kind == "varying"})
-        textures = {"uNormalTexture": [0.5 * one, 0.5 * one, one], "uBaseColorTexture": [one] * 4}
+        textures = {"uNormalTexture": [0.5 * one, 0.5 * one, one], "uBaseColorTexture": [one] * 4,
+                    "uMetallicRoughnessTexture": [one] * 4}
         color = Run(self.fragment, arithmetic, scope, textures).scope["gl_FragColor"][:3]
         return np.stack(np.broadcast_arrays(*color, one)[:3], -1).astype(np.float64)
 
