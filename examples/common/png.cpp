@@ -11,6 +11,15 @@
 
 using namespace franken;
 
+namespace {
+
+Error failed(const std::filesystem::path& path, const std::string& why) {
+    return {"png.write", path.string(), "cannot be written: " + why,
+            "check the folder, its permissions and the space left"};
+}
+
+} // namespace
+
 Result<void> writePng(const std::filesystem::path& path, const Image& image) {
     std::vector<std::uint8_t> rgb;
     rgb.reserve(image.rgba.size() / 4 * 3);
@@ -24,6 +33,17 @@ Result<void> writePng(const std::filesystem::path& path, const Image& image) {
     if (file && stbi_write_png_to_func(write, &file, image.width, image.height, 3, rgb.data(), 0) != 0 &&
         file.flush())
         return {};
-    return Error{"png.write", path.string(), std::string("cannot be written: ") + std::strerror(errno),
-                 "check the folder, its permissions and the space left"};
+    return failed(path, std::strerror(errno));
+}
+
+Result<void> replacePng(const std::filesystem::path& path, const Image& image) {
+    std::filesystem::path beside = path;
+    beside += ".new";
+    if (Result<void> written = writePng(beside, image); !written)
+        return written;
+    std::error_code error;
+    std::filesystem::rename(beside, path, error);
+    if (error)
+        return failed(path, error.message());
+    return {};
 }

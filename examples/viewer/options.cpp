@@ -95,6 +95,15 @@ void addTarget(CLI::App& app, Options& options) {
               {{"osmesa", platform::Backend::OsMesa}, {"egl", platform::Backend::EglSurfaceless}});
     app.add_flag("--permutations", options.permutations,
                  "Prints the programs that the model needs, a name a line, and draws nothing");
+    app.add_option("--snippets", options.snippets,
+                   "Composes from the files of this folder, a source tree's generator/glsl, instead of those "
+                   "that are built in")
+        ->type_name("FOLDER");
+    app.add_flag(
+           "--watch", options.watch,
+           "Draws again whenever the model or a snippet changes, until it is interrupted; keeps the last "
+           "good picture on an error")
+        ->excludes("--permutations");
 }
 
 void addScene(CLI::App& app, Options& options) {

@@ -19,6 +19,8 @@ struct Options {
     franken::platform::Size size = {512, 512};
     bool supersample = false;
     bool permutations = false;
+    bool watch = false;
+    std::filesystem::path snippets; ///< A folder; empty for those that are built in.
 
     std::string camera; ///< A name or an index; empty for the first.
     std::vector<franken::Sun> suns;

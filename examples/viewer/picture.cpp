@@ -38,22 +38,42 @@ Image halved(const Image& image) {
     return half;
 }
 
+bool hasBackdrop(const Subject& subject) { return subject.sky && subject.sky->backdrop.size > 0; }
+
+Result<void> tryPrograms(const Gl& gl, const SnippetSet& snippets, const Subject& subject, const Look& look) {
+    const Result<std::vector<Permutation>> needed = permutationsFor(subject, look, {});
+    if (!needed)
+        return needed.error();
+    ProgramCache cache(gl);
+    cache.setSnippets(snippets);
+    for (const Permutation& permutation : *needed)
+        if (const Result<ProgramHandle> program = cache.get(permutation); !program)
+            return program.error();
+    return {};
+}
+
 Result<void> draw(const Gl& gl, const platform::Surface& surface, const Subject& subject,
-                  const Options& options, const Log& log) {
+                  const Options& options, const std::optional<SnippetSet>& snippets, const Log& log) {
     const platform::Size size = surface.size();
+    Look look = options.look;
+    look.srgbTarget = surface.srgbTarget();
     Renderer renderer(gl, log);
+    if (snippets) {
+        if (Result<void> tried = tryPrograms(gl, *snippets, subject, look); !tried)
+            return tried;
+        renderer.setSnippets(*snippets);
+    }
     if (Result<void> loaded = renderer.load(subject.scene); !loaded)
         return loaded;
     if (subject.sky) {
-        const SkyCube& backdrop = subject.sky->backdrop;
-        if (Result<void> shown = renderer.setBackdrop(backdrop.size > 0 ? &backdrop : nullptr); !shown)
+        if (Result<void> shown =
+                renderer.setBackdrop(hasBackdrop(subject) ? &subject.sky->backdrop : nullptr);
+            !shown)
             return shown;
         if (Result<void> mirrored = renderer.setMirror(&subject.sky->mirror); !mirrored)
             return mirrored;
     }
     renderer.setLighting(subject.lighting);
-    Look look = options.look;
-    look.srgbTarget = surface.srgbTarget();
     renderer.setLook(look);
     const Camera camera = tightened(subject.camera, subject.scene.bounds());
     return renderer.draw(viewpointOf(camera, static_cast<double>(size.width) / size.height),
@@ -65,7 +85,19 @@ Result<void> draw(const Gl& gl, const platform::Surface& surface, const Subject&
 
 } // namespace
 
-Result<Image> drawPicture(const Subject& subject, const Options& options, const Log& log) {
+Result<std::vector<Permutation>> permutationsFor(const Subject& subject, const Look& look, const Log& log) {
+    Result<std::vector<Permutation>> needed = permutationsOf(subject.scene, subject.lighting, look, log);
+    if (!needed || !hasBackdrop(subject))
+        return needed;
+    const Result<Permutation> backdrop = skyPermutation(look);
+    if (!backdrop)
+        return backdrop.error();
+    needed->push_back(*backdrop);
+    return needed;
+}
+
+Result<Image> drawPicture(const Subject& subject, const Options& options,
+                          const std::optional<SnippetSet>& snippets, const Log& log) {
     const int scale = options.supersample ? 2 : 1;
     const platform::Size size = {options.size.width * scale, options.size.height * scale};
     const Result<std::unique_ptr<platform::Surface>> surface =
@@ -75,7 +107,7 @@ Result<Image> drawPicture(const Subject& subject, const Options& options, const 
     const Result<Gl> gl = Gl::load((*surface)->getProcAddress());
     if (!gl)
         return gl.error();
-    if (Result<void> drawn = draw(*gl, **surface, subject, options, log); !drawn)
+    if (Result<void> drawn = draw(*gl, **surface, subject, options, snippets, log); !drawn)
         return drawn.error();
     const Image image = readTopDown(*gl, size);
     return options.supersample ? halved(image) : image;

@@ -3,11 +3,15 @@
 #include "franken/generator/permutation.h"
 #include "support/draw_scene.h"
 
+#include <signal.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 namespace franken::test {
 namespace {
@@ -113,6 +117,110 @@ TEST_F(Viewer, ExitCodesTellWhoseFaultItIs) {
     EXPECT_EQ(run(urn + " --skybox missing.hdr").code, 3);
     EXPECT_EQ(run(urn + " --size 40x30 -o no/such/folder.png").code, 4);
     EXPECT_NE(run("missing.gltf").err.find("missing.gltf"), std::string::npos);
+}
+
+/// A viewer in the background that watches a copy of the model and of the snippets.
+class Watching : public Viewer {
+protected:
+    void SetUp() override {
+        Viewer::SetUp();
+        fs::create_directory(m_folder / "model");
+        fs::copy(kUrn, m_folder / "model");
+        fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", m_folder / "glsl",
+                 fs::copy_options::recursive);
+        m_snippet = readText(m_folder / "glsl/fragment/specular.glsl");
+        m_viewer = fork();
+        if (m_viewer == 0) {
+            const std::string command = "cd " + m_folder.string() + " && exec " VIEWER " model/" +
+                                        fs::path(kUrn).filename().string() +
+                                        " --size 40x30 --snippets glsl --watch 2>err.txt";
+            execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+            _exit(127);
+        }
+    }
+
+    void TearDown() override {
+        kill(m_viewer, SIGTERM);
+        int status = 0;
+        waitpid(m_viewer, &status, 0);
+        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status << "\n" << err();
+    }
+
+    std::string err() const { return readText(m_folder / "err.txt"); }
+
+    /// Waits until the viewer has said so that often.
+    void await(const std::string& message, int times) {
+        using namespace std::chrono_literals;
+        for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(50ms)) {
+            int count = 0;
+            const std::string said = err();
+            for (std::size_t at = 0; (at = said.find(message, at)) != std::string::npos; ++at)
+                ++count;
+            if (count >= times)
+                return;
+        }
+        FAIL() << message << " was not said " << times << " times in a minute:\n" << err();
+    }
+
+    void writeSnippet(const std::string& more) {
+        std::ofstream(m_folder / "glsl/fragment/specular.glsl") << m_snippet << more;
+    }
+
+    pid_t m_viewer = 0;
+    std::string m_snippet;
+};
+
+TEST_F(Watching, TakesASnippetAndKeepsTheLastGoodPicture) {
+    const fs::path out = m_folder / "out.png";
+    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 1));
+    const Picture first = readPicture(out);
+
+    writeSnippet("  specular += vec3(0.2, 0.0, 0.0);\n");
+    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 2));
+    const Picture redder = readPicture(out);
+    const Difference difference = compareLit(redder, first);
+    EXPECT_GT(difference.pixels, 100u);
+    EXPECT_GT(difference.bias, 5) << difference;
+
+    writeSnippet("  specular += nonsense;\n"); // Refused by the driver.
+    ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 1));
+    EXPECT_NE(err().find("generator/glsl/fragment/specular.glsl:4"), std::string::npos) << err();
+    EXPECT_NE(err().find("nonsense"), std::string::npos) << err();
+    EXPECT_EQ(readPicture(out).rgba, redder.rgba);
+
+    writeSnippet("//! nonsense\n"); // Refused by the composer.
+    ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 2));
+    EXPECT_NE(err().find("[snippet.syntax]"), std::string::npos) << err();
+    EXPECT_EQ(readPicture(out).rgba, redder.rgba);
+
+    writeSnippet("");
+    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 3));
+    EXPECT_EQ(readPicture(out).rgba, first.rgba);
+}
+
+TEST_F(Watching, TakesAModel) {
+    const fs::path model = m_folder / "model" / fs::path(kUrn).filename();
+    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 1));
+    const Picture urn = readPicture(m_folder / "out.png");
+
+    std::ofstream(model) << "{}";
+    ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 1));
+    EXPECT_EQ(readPicture(m_folder / "out.png").rgba, urn.rgba);
+
+    std::ofstream(model) << R"({"asset": {"version": "2.0"}})"; // Nothing at all.
+    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 2));
+    const Picture nothing = readPicture(m_folder / "out.png");
+    EXPECT_EQ(compareLit(nothing, nothing).pixels, 0u);
+}
+
+TEST_F(Viewer, SnippetsOfItsOwnMustCompile) {
+    fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", m_folder / "glsl", fs::copy_options::recursive);
+    const std::string urn = std::string(kUrn) + " --size 40x30 --snippets glsl";
+    EXPECT_EQ(run(urn).code, 0);
+    std::ofstream(m_folder / "glsl/fragment/specular.glsl", std::ios::app) << "  specular += nonsense;\n";
+    EXPECT_EQ(run(urn).code, 4);
+    fs::remove(m_folder / "glsl/fragment/specular.glsl");
+    EXPECT_EQ(run(urn).code, 3);
 }
 
 TEST_F(Viewer, DrawsUnderASkyByOthers) {
