@@ -43,7 +43,9 @@ Result<void> write(const std::filesystem::path& path, const std::vector<std::uin
 ExitCode run(Options options) {
     ProgressBar bar("filtering");
     options.bake.progress = [&bar](float share) { bar.show(share); };
-    Result<Environment> sky = loadEnvironment(options.sky);
+    // Whoever bakes sits at a desktop, and knows the file.
+    const SkyLimits limits{.maxFileBytes = std::size_t{1} << 30, .maxMemoryBytes = std::size_t{2} << 30};
+    Result<Environment> sky = loadEnvironment(options.sky, limits);
     if (!sky)
         return fail(sky.error(), ExitCode::Refused);
     const BakedSky baked = bakeSky(*std::move(sky), options.bake);

@@ -169,12 +169,12 @@ Result<BakedSky> loadSky(const std::filesystem::path& path, const BakeOptions& o
     std::array<std::uint8_t, kMagic.size()> head{};
     std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(head.data()), head.size());
     if (!isBaked(head)) {
-        Result<Environment> sky = loadEnvironment(path);
+        Result<Environment> sky = loadEnvironment(path, options.limits);
         if (!sky)
             return sky.error();
         return bakeSky(*std::move(sky), options);
     }
-    const auto bytes = readSkyFile(path);
+    const auto bytes = readSkyFile(path, options.limits.maxFileBytes);
     if (!bytes)
         return bytes.error();
     Result<BakedSky> sky = decodeBakedSky(*bytes);

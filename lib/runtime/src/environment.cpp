@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <string_view>
 
+#include "file.h"
 #include "hdr.h"
 #include "sky.h"
 
@@ -14,15 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMaxFileSize = std::size_t{256} << 20;
 constexpr std::array<std::string_view, 6> kFaceNames{"px", "nx", "py", "ny", "pz", "nz"};
 
-Result<FloatImage> loadPicture(const fs::path& path) {
-    const auto bytes = readSkyFile(path);
+/// One picture, which may take `room` bytes while and after it is read.
+Result<FloatImage> loadPicture(const fs::path& path, std::size_t maxFileBytes, std::size_t room) {
+    const auto bytes = readSkyFile(path, std::min(maxFileBytes, room));
     if (!bytes)
         return bytes.error();
+    room -= bytes->size();
     Result<FloatImage> picture =
-        isHdr(*bytes) ? decodeHdr(*bytes, kMaxSkyWidth) : decodeSrgbImage(*bytes, kMaxSkyWidth);
+        isHdr(*bytes) ? decodeHdr(*bytes, kMaxSkyWidth, room) : decodeSrgbImage(*bytes, kMaxSkyWidth, room);
     if (picture)
         return picture;
     Error error = picture.error();
@@ -56,15 +57,19 @@ Environment fromCross(const FloatImage& cross) {
     return sky;
 }
 
-Result<Environment> loadSinglePicture(const fs::path& path) {
-    Result<FloatImage> picture = loadPicture(path);
+Result<Environment> loadSinglePicture(const fs::path& path, const SkyLimits& limits) {
+    Result<FloatImage> picture = loadPicture(path, limits.maxFileBytes, limits.maxMemoryBytes);
     if (!picture)
         return picture.error();
     const int width = picture->width, height = picture->height;
     if (width == 2 * height)
         return Environment{Environment::Layout::Equirect, width, height, std::move(picture->texels)};
-    if ((width % 4 == 0 && width / 4 * 3 == height) || (width % 3 == 0 && width / 3 * 4 == height))
+    if ((width % 4 == 0 && width / 4 * 3 == height) || (width % 3 == 0 && width / 3 * 4 == height)) {
+        const std::size_t half = picture->texels.size() / 2; // six squares of twelve
+        if (3 * half * sizeof(glm::vec3) > limits.maxMemoryBytes)
+            return memoryError(path.string());
         return fromCross(*picture);
+    }
     return Error{"sky.shape", path.string(),
                  "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " is no sky",
                  "use 2:1 for an equirectangular sky, 4:3 or 3:4 for a cross, or a folder of six faces"};
@@ -79,7 +84,7 @@ bool isFace(const fs::path& path, std::string_view face) {
     return stem.size() == 2 || !std::isalpha(static_cast<unsigned char>(stem[stem.size() - 3]));
 }
 
-Result<Environment> loadFolder(const fs::path& folder) {
+Result<Environment> loadFolder(const fs::path& folder, const SkyLimits& limits) {
     std::array<fs::path, 6> faces;
     std::error_code failure;
     for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
@@ -99,43 +104,39 @@ Result<Environment> loadFolder(const fs::path& folder) {
         if (faces[face].empty())
             return Error{"sky.shape", folder.string(), "there is no face " + std::string(kFaceNames[face]),
                          "name the six files px, nx, py, ny, pz and nz"};
-    return loadEnvironment(faces);
+    return loadEnvironment(faces, limits);
 }
 
 } // namespace
 
-Result<std::vector<std::uint8_t>> readSkyFile(const fs::path& path) {
-    std::error_code failure;
-    const std::uintmax_t size = fs::file_size(path, failure);
-    if (failure)
-        return Error{"sky.file", path.string(), "the sky cannot be read: " + failure.message(),
-                     "check the path"};
-    if (size > kMaxFileSize)
-        return Error{"sky.file", path.string(), "the file is larger than 256 MiB", "scale the picture down"};
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
-        return Error{"sky.file", path.string(), "the sky cannot be read", "check the file's permissions"};
-    return bytes;
+Result<std::vector<std::uint8_t>> readSkyFile(const fs::path& path, std::size_t maxBytes) {
+    auto bytes = readFile(path, maxBytes);
+    if (bytes)
+        return bytes;
+    return Error{"sky.file", path.string(), bytes.error().what, bytes.error().remedy};
 }
 
-Result<Environment> loadEnvironment(const fs::path& path) {
+Result<Environment> loadEnvironment(const fs::path& path, const SkyLimits& limits) {
     std::error_code ignored;
-    return fs::is_directory(path, ignored) ? loadFolder(path) : loadSinglePicture(path);
+    return fs::is_directory(path, ignored) ? loadFolder(path, limits) : loadSinglePicture(path, limits);
 }
 
-Result<Environment> loadEnvironment(const std::array<fs::path, 6>& faces) {
+Result<Environment> loadEnvironment(const std::array<fs::path, 6>& faces, const SkyLimits& limits) {
     Environment sky{Environment::Layout::Cube, 0, 0, {}};
     for (const fs::path& path : faces) {
-        const Result<FloatImage> face = loadPicture(path);
+        const std::size_t held = sky.texels.capacity() * sizeof(glm::vec3);
+        const Result<FloatImage> face = loadPicture(path, limits.maxFileBytes, limits.maxMemoryBytes - held);
         if (!face)
             return face.error();
         if (face->width != face->height || (sky.width != 0 && face->width != sky.width))
             return Error{"sky.shape", path.string(),
                          "the face is " + std::to_string(face->width) + " x " + std::to_string(face->height),
                          "all six faces must be square and of one size"};
+        if (7 * face->texels.size() * sizeof(glm::vec3) > limits.maxMemoryBytes)
+            return memoryError(path.string());
         sky.width = face->width;
         sky.height += face->height;
+        sky.texels.reserve(6 * face->texels.size());
         sky.texels.insert(sky.texels.end(), face->texels.begin(), face->texels.end());
     }
     return sky;

@@ -110,7 +110,9 @@ bool checkCamera(Source& source, const Json& camera, const std::string& where) {
                        std::string(kFixExporter));
 }
 
-bool checkAccessorType(Source& source, Json& accessor, const std::string& where) {
+bool checkAccessor(Source& source, Json& accessor, std::size_t views, const std::string& where) {
+    if (!checkIndex(source, accessor.value("bufferView", kNone), views, where + "/bufferView"))
+        return false;
     constexpr std::array<int, 6> kComponents{5120, 5121, 5122, 5123, 5125, 5126};
     const int component = accessor["componentType"].get<int>();
     if (std::find(kComponents.begin(), kComponents.end(), component) == kComponents.end())
@@ -135,29 +137,49 @@ bool checkStride(Source& source, const Json& view, const std::string& where) {
                        std::string(kFixExporter));
 }
 
+bool checkMesh(Source& source, const Json& mesh, std::size_t accessors, const std::string& where) {
+    const Json& primitives = mesh["primitives"];
+    for (std::size_t i = 0; i < primitives.size(); ++i)
+        if (!checkIndex(source, primitives[i].value("indices", kNone), accessors,
+                        where + pathOf("primitives", i, "indices")))
+            return false;
+    return true;
+}
+
+bool checkLight(Source& source, const Json& light, const std::string& where) {
+    return light["type"] != "spot" || checkChoice(source, light, where);
+}
+
 // The rest of what tinygltf refuses, because it says nowhere of which object it speaks.
-bool checkWords(Source& source, Json& root) {
-    const auto forEach = [](Json& object, const std::string& name, const auto& check) {
-        if (object.contains(name))
-            for (std::size_t i = 0; i < object[name].size(); ++i)
-                if (!check(object[name][i], pathOf(name, i)))
-                    return false;
+bool checkRest(Source& source, Json& root) {
+    const auto forEach = [](Json& array, const std::string& where, const auto& check) {
+        for (std::size_t i = 0; i < array.size(); ++i)
+            if (!check(array[i], where + pathOf(i)))
+                return false;
         return true;
     };
-    const auto checkLight = [&](const Json& light, const std::string& where) {
-        return light["type"] != "spot" ||
-               checkChoice(source, light, "/extensions/KHR_lights_punctual" + where);
+    const std::size_t views = root["bufferViews"].size(), accessors = root["accessors"].size();
+    const char* const kLights = "/extensions/KHR_lights_punctual/lights";
+    const auto accessor = [&](Json& object, const std::string& where) {
+        return checkAccessor(source, object, views, where);
     };
-    Json& extensions = root["extensions"];
-    const auto with = [&source](const auto& check) {
-        return [&source, &check](Json& object, const std::string& where) {
-            return check(source, object, where);
-        };
+    const auto view = [&](const Json& object, const std::string& where) {
+        return checkStride(source, object, where);
     };
-    return forEach(root, "accessors", with(checkAccessorType)) &&
-           forEach(root, "bufferViews", with(checkStride)) && forEach(root, "cameras", with(checkCamera)) &&
-           (!extensions.contains("KHR_lights_punctual") ||
-            forEach(extensions["KHR_lights_punctual"], "lights", checkLight));
+    const auto mesh = [&](const Json& object, const std::string& where) {
+        return checkMesh(source, object, accessors, where);
+    };
+    const auto camera = [&](const Json& object, const std::string& where) {
+        return checkCamera(source, object, where);
+    };
+    const auto light = [&](const Json& object, const std::string& where) {
+        return checkLight(source, object, where);
+    };
+    const Json::json_pointer lights(kLights);
+    return forEach(root["accessors"], "/accessors", accessor) &&
+           forEach(root["bufferViews"], "/bufferViews", view) && forEach(root["meshes"], "/meshes", mesh) &&
+           forEach(root["cameras"], "/cameras", camera) &&
+           (!root.contains(lights) || forEach(root[lights], kLights, light));
 }
 
 std::string takeString(Json& object, const char* key) {
@@ -186,19 +208,12 @@ bool takeResources(Source& source, Json& root) {
 }
 
 // tinygltf refuses indices without a view, which glTF allows (they are zero); it gets one that is taken back.
-bool addPlaceholderView(Source& source, Json& root) {
-    Json& views = root["bufferViews"];
-    source.placeholderView = static_cast<int>(views.size());
-    Json& accessors = root["accessors"];
-    for (std::size_t i = 0; i < accessors.size(); ++i) {
-        if (!accessors[i].contains("bufferView"))
-            accessors[i]["bufferView"] = source.placeholderView;
-        else if (accessors[i]["bufferView"] == source.placeholderView)
-            return checkPresent(source, source.placeholderView, views.size(),
-                                pathOf("accessors", i, "bufferView"));
-    }
-    views.push_back({{"buffer", 0}, {"byteLength", 1}});
-    return true;
+void addPlaceholderView(Source& source, Json& root) {
+    source.placeholderView = static_cast<int>(root["bufferViews"].size());
+    for (Json& accessor : root["accessors"])
+        if (!accessor.contains("bufferView"))
+            accessor["bufferView"] = source.placeholderView;
+    root["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
 }
 
 // tinygltf's objects are much larger than what JSON says of them, and its arrays grow by doubling: for a
@@ -236,9 +251,10 @@ bool readJson(Source& source, std::string& text) {
     makeIntegers(root);
     if (!member(root, "animations").empty())
         source.warn("/animations", "animations are not played; the file is shown at rest");
-    if (!checkSchema(source, root) || !checkWords(source, root) || !chargeObjects(source, root) ||
-        !takeResources(source, root) || !addPlaceholderView(source, root))
+    if (!checkSchema(source, root) || !checkRest(source, root) || !chargeObjects(source, root) ||
+        !takeResources(source, root))
         return false;
+    addPlaceholderView(source, root);
     text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     return true;
 }

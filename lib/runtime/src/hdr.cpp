@@ -10,6 +10,8 @@
 
 #include <glm/common.hpp>
 
+#include "image_header.h"
+
 namespace franken {
 namespace {
 
@@ -67,7 +69,7 @@ Result<FloatImage> readHeader(Reader& reader, int maxSize) {
         return formatError("this is no Radiance picture: it does not start with #?");
     for (std::string_view line = reader.line(); !line.empty(); line = reader.line()) {
         if (line.starts_with("FORMAT=") && line != "FORMAT=32-bit_rle_rgbe")
-            return formatError("texels are stored as " + std::string(line.substr(7)) + ", not as RGBE");
+            return formatError("texels are not stored as RGBE: the FORMAT line is another");
     }
     FloatImage image;
     std::string_view size = reader.line();
@@ -132,10 +134,15 @@ float decodeSrgb(float code) {
 } // namespace
 
 bool isHdr(std::span<const std::uint8_t> file) {
-    return file.size() > kMagic.size() && file[0] == '#' && file[1] == '?';
+    return file.size() >= kMagic.size() && file[0] == '#' && file[1] == '?';
 }
 
-Result<FloatImage> decodeHdr(std::span<const std::uint8_t> file, int maxSize) {
+Error memoryError(std::string where) {
+    return {"sky.limit", std::move(where), "the sky needs more memory than the limit",
+            "scale it down, or raise SkyLimits::maxMemoryBytes"};
+}
+
+Result<FloatImage> decodeHdr(std::span<const std::uint8_t> file, int maxSize, std::size_t maxBytes) {
     Reader reader(file);
     Result<FloatImage> image = readHeader(reader, maxSize);
     if (!image)
@@ -146,6 +153,8 @@ Result<FloatImage> decodeHdr(std::span<const std::uint8_t> file, int maxSize) {
     if (reader.left() / height < std::min(4 * width, 4 + width / 16))
         return formatError("the file is cut off");
 
+    if (width * height * sizeof(glm::vec3) > maxBytes)
+        return memoryError("");
     std::vector<Rgbe> row(width);
     image->texels.reserve(width * height);
     for (std::size_t y = 0; y < height; ++y) {
@@ -157,19 +166,26 @@ Result<FloatImage> decodeHdr(std::span<const std::uint8_t> file, int maxSize) {
     return image;
 }
 
-Result<FloatImage> decodeSrgbImage(std::span<const std::uint8_t> file, int maxSize) {
-    Result<Image> codes = decodeImage(file, maxSize);
-    if (!codes)
-        return std::move(codes).error();
+Result<FloatImage> decodeSrgbImage(std::span<const std::uint8_t> file, int maxSize, std::size_t maxBytes) {
+    const Result<ImageHeader> header = readImageHeader(file, maxSize);
+    if (!header)
+        return header.error();
+    // The codes go from the decoder to an Image, and from there to floats.
+    const std::size_t codes = header->pixelBytes(), floats = codes / 4 * sizeof(glm::vec3);
+    if (codes + std::max(header->decodingBytes, floats) > maxBytes)
+        return memoryError("");
+    Result<Image> image8 = decodeImage(file, maxSize);
+    if (!image8)
+        return std::move(image8).error();
     std::array<float, 256> linear{};
     for (std::size_t code = 0; code < linear.size(); ++code)
         linear[code] = decodeSrgb(static_cast<float>(code) / 255.0f);
 
-    FloatImage image{codes->width, codes->height, {}};
-    image.texels.reserve(codes->rgba.size() / 4);
-    for (std::size_t i = 0; i < codes->rgba.size(); i += 4)
-        image.texels.emplace_back(linear[codes->rgba[i]], linear[codes->rgba[i + 1]],
-                                  linear[codes->rgba[i + 2]]);
+    FloatImage image{image8->width, image8->height, {}};
+    image.texels.reserve(image8->rgba.size() / 4);
+    for (std::size_t i = 0; i < image8->rgba.size(); i += 4)
+        image.texels.emplace_back(linear[image8->rgba[i]], linear[image8->rgba[i + 1]],
+                                  linear[image8->rgba[i + 2]]);
     return image;
 }
 

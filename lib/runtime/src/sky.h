@@ -13,8 +13,8 @@
 
 namespace franken {
 
-/// A file of at most 256 MiB. Fails with "sky.file".
-Result<std::vector<std::uint8_t>> readSkyFile(const std::filesystem::path& path);
+/// As readFile(), but fails with "sky.file".
+Result<std::vector<std::uint8_t>> readSkyFile(const std::filesystem::path& path, std::size_t maxBytes);
 
 /// A point on one side of a cube map: s to the right and t down, both -1 to 1 within the face.
 struct FacePoint {

@@ -27,6 +27,7 @@ struct BakeOptions {
     int backdropSize = 512; ///< Of a face, texels; 0 to kMaxSkyWidth / 4. 0 leaves the backdrop out.
     int specularSize = kSpecularSize; ///< kMinSpecularSize to kMaxSpecularSize.
     Progress progress = {};
+    SkyLimits limits = {}; ///< For loadSky().
 };
 
 BakedSky bakeSky(Environment sky, const BakeOptions& options);
@@ -53,8 +54,8 @@ std::vector<std::uint8_t> encodeBakedSky(const BakedSky& sky);
 /// version, cut short or too long, a size out of range, or a number that is not finite or below 0.
 Result<BakedSky> decodeBakedSky(std::span<const std::uint8_t> bytes);
 
-/// Loads a sky that was baked (then `options` mean nothing), or any that loadEnvironment() takes and bakes it
-/// now. Fails as loadEnvironment() and decodeBakedSky() do.
+/// Loads a sky that was baked (then `options` mean nothing but the limits), or any that loadEnvironment()
+/// takes and bakes it now. Fails as loadEnvironment() and decodeBakedSky() do.
 Result<BakedSky> loadSky(const std::filesystem::path& path, const BakeOptions& options = {});
 
 } // namespace franken

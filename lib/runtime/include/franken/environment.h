@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <vector>
@@ -40,6 +41,16 @@ struct Environment {
 /// such a sky fill 400 MB.
 inline constexpr int kMaxSkyWidth = 8192;
 
+/// How much of a sky's files is believed.
+struct SkyLimits {
+    std::size_t maxFileBytes = std::size_t{128} << 20; ///< Of each file.
+
+    /// Of all that loading holds at a time. The default is enough for 4096 x 2048 texels or faces of 1536,
+    /// and keeps a process that loads any file at all below 256 MiB; a sky of kMaxSkyWidth needs twice as
+    /// much.
+    std::size_t maxMemoryBytes = std::size_t{240} << 20;
+};
+
 /// Loads a sky from one of
 /// - a picture twice as wide as high: Layout::Equirect;
 /// - a picture of 4 x 3 squares: a cross with +Y above and -Y below the second square of -X, +Z, +X, -Z;
@@ -51,12 +62,14 @@ inline constexpr int kMaxSkyWidth = 8192;
 /// JPEG, which are taken as sRGB. The squares of crosses and the faces of folders are oriented as cube map
 /// faces; seen by a person, each is then a mirror image, and neighbours in a cross fit together.
 ///
-/// Fails with "sky.file" (cannot be read), "sky.shape" (another aspect ratio, faces missing or of different
-/// sizes), "hdr.format", "hdr.size" or an error of decodeImage().
-Result<Environment> loadEnvironment(const std::filesystem::path& path);
+/// Files may be broken, or an enemy's. Fails with "sky.file" (cannot be read, or too large), "sky.shape"
+/// (another aspect ratio, faces missing or of different sizes), "sky.limit" (more memory than `limits`
+/// allow), "hdr.format", "hdr.size" or an error of decodeImage().
+Result<Environment> loadEnvironment(const std::filesystem::path& path, const SkyLimits& limits = {});
 
 /// Likewise, from six pictures in the order +X, -X, +Y, -Y, +Z, -Z.
-Result<Environment> loadEnvironment(const std::array<std::filesystem::path, 6>& faces);
+Result<Environment> loadEnvironment(const std::array<std::filesystem::path, 6>& faces,
+                                    const SkyLimits& limits = {});
 
 /// Radiance from a direction (any length but 0), interpolated between the four nearest texels.
 glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction);
