@@ -33,7 +33,8 @@ Capabilities Capabilities::query(const Gl& gl) {
     gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
     return {.maxTextureSize = size,
             .anyTextureSize = core || contains(extensions, "GL_OES_texture_npot"),
-            .wideIndices = core || contains(extensions, "GL_OES_element_index_uint")};
+            .wideIndices = core || contains(extensions, "GL_OES_element_index_uint"),
+            .parallelCompile = contains(extensions, "GL_KHR_parallel_shader_compile")};
 }
 
 } // namespace franken

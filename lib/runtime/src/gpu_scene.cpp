@@ -69,7 +69,10 @@ private:
                         .contents = contents,
                         .plan = planMaterial(m_scene, primitive.material, contents, m_device.log),
                         .textures = {},
+                        .state = {},
                         .block = {}};
+        const Material& source = m_scene.materials[static_cast<std::size_t>(primitive.material)];
+        gpu.state = drawStateOf(m_scene, gpu.plan, source.alphaMode == AlphaMode::Blend);
         for (std::size_t unit = 0; unit < kMaterialUnits; ++unit) {
             const Result<GLuint> texture = textureFor(gpu.plan.textures[unit], unit);
             if (!texture)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/draw_state.h"
 #include "franken/material.h"
 #include "franken/program_cache.h"
 #include "frustum.h"
@@ -19,8 +20,9 @@ struct GpuMaterial {
     VertexContents contents;
     MaterialPlan plan;
     std::array<GLuint, kMaterialUnits> textures; ///< By sampler unit; never 0.
+    DrawState state;
     UniformBlock<MaterialBlock> block;
-    ProgramHandle program = nullptr; ///< In the current light and look.
+    ProgramHandle program = nullptr; ///< In the current light and look; null where none can be had.
 };
 
 /// A primitive, placed in the world.

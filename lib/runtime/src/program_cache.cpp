@@ -213,8 +213,9 @@ Error ProgramCache::reasonOf(const Entry& entry) const {
         if (compiled == GL_FALSE && !shader->log) {
             const Composed composed = compose(entry.permutation, m_snippets);
             const bool vertex = shader->stage == Stage::Vertex;
-            shader->log = annotateLog(logOf(shader->name.name(), m_gl->GetShaderiv, m_gl->GetShaderInfoLog),
-                                      vertex ? composed.vertex : composed.fragment);
+            shader->log =
+                trimmed(annotateLog(logOf(shader->name.name(), m_gl->GetShaderiv, m_gl->GetShaderInfoLog),
+                                    vertex ? composed.vertex : composed.fragment));
         }
         if (shader->log)
             return failedAt("program.compile", entry.permutation, nameOf(shader->stage), *shader->log);

@@ -49,24 +49,24 @@ void Renderer::setLook(const Look& look) {
 }
 
 void Renderer::setSnippets(const SnippetSet& snippets) {
-    m_state->cache.setSnippets(snippets);
+    m_state->programs.setSnippets(snippets);
     m_state->resolved = false;
 }
 
-Result<void> Renderer::prepare() { return m_state->resolvePrograms(); }
-
 Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
     State& state = *m_state;
-    if (Result<void> resolved = state.resolvePrograms(); !resolved)
+    state.programs.beginFrame();
+    Result<void> resolved = state.resolvePrograms(&target);
+    if (state.lost)
         return resolved;
     state.updateBlocks(viewpoint, target);
     state.beginFrame(target);
     for (const Placed& placed : state.visibleOpaque)
         state.drawOne(placed);
-    if (state.sky)
+    if (state.sky && state.skyProgram)
         state.drawBackdrop();
     state.drawBlended();
-    return {};
+    return resolved;
 }
 
 void Renderer::invalidateState() { m_state->glState.invalidate(); }
@@ -78,7 +78,5 @@ FrameCounters Renderer::frameCounters() const {
 }
 
 GpuMemory& Renderer::memory() { return m_state->memory; }
-
-const ProgramCounters& Renderer::programCounters() const { return m_state->cache.counters(); }
 
 } // namespace franken

@@ -30,7 +30,7 @@ void Renderer::contextLost() {
     state.mirror.reset();
     state.defaults.reset();
     state.skyProgram.reset();
-    state.cache.abandon();
+    state.programs.abandon();
     state.glState.invalidate();
     state.opaque.clear();
     state.blended.clear();
@@ -48,6 +48,7 @@ Result<void> Renderer::restore(const Gl& gl, const Capabilities& capabilities) {
     state.lost = false;
     state.gl = gl;
     state.capabilities = capabilities;
+    state.programs.setCapabilities(capabilities);
     state.defaults.emplace(state.gl);
     state.mirror.emplace(state.gl);
     Result<void> result;

@@ -9,7 +9,8 @@ namespace franken {
 
 void Renderer::State::sortOpaque() {
     const auto order = [](const Placed& placed) {
-        return std::tuple(placed.material().program->name(), placed.scene->number, placed.drawable->material,
+        const ProgramHandle& program = placed.material().program;
+        return std::tuple(program ? program->name() : 0, placed.scene->number, placed.drawable->material,
                           placed.drawable->mesh);
     };
     std::stable_sort(opaque.begin(), opaque.end(),
@@ -35,7 +36,7 @@ void Renderer::State::findVisible(const Viewpoint& viewpoint) {
     const auto keep = [&](const std::vector<Placed>& all, std::vector<Placed>& visible) {
         visible.clear();
         for (const Placed& placed : all)
-            if (frustum.mayShow(placed.drawable->bounds)) {
+            if (placed.material().program && frustum.mayShow(placed.drawable->bounds)) {
                 projectObject(placed.drawable->block.edit(), viewpoint.viewProjection,
                               placed.drawable->world);
                 visible.push_back(placed);

@@ -41,9 +41,11 @@ struct Renderer::State {
     bool evictOne();
     void setShown(std::vector<Model*> models);
 
-    Result<void> resolvePrograms();
-    Result<void> resolveMaterial(GpuMaterial& material);
-    Result<void> resolveSky();
+    Result<void> resolvePrograms(const DrawTarget* target);
+    Result<ProgramHandle> resolve(const Result<Permutation>& permutation, const DrawState& state,
+                                  const DrawTarget* target);
+    Result<void> resolveMaterial(GpuMaterial& material, const DrawTarget* target);
+    Result<void> resolveSky(const DrawTarget* target);
     void sortOpaque();
 
     void updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target);
@@ -64,7 +66,7 @@ struct Renderer::State {
     const Log log;
     GlState glState{gl};
     GpuMemory memory;
-    ProgramCache cache{gl};
+    ProgramSupply programs{gl, capabilities, log};
     std::optional<DefaultTextures> defaults; ///< Nothing while there is no context; likewise:
     std::optional<GpuMirror> mirror;
     MirrorSource mirrorSource;
@@ -88,7 +90,7 @@ struct Renderer::State {
 
     Lighting lighting;
     Look look;
-    bool resolved = false;
+    bool resolved = false; ///< No program is missing, and none stands in for another.
     UniformBlock<FrameBlock> frame;
     UniformBlock<LightsBlock> lights;
     const GpuMaterial* boundMaterial = nullptr; ///< Whose textures are bound; null: unknown.

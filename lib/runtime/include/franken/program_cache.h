@@ -80,6 +80,9 @@ public:
     /// programs that others hold included. The cache is empty afterwards, failures forgotten.
     void abandon();
 
+    /// See ProgramCacheOptions; for the next context, where another one comes after abandon().
+    void setParallelCompile(bool on) { m_options.parallelCompile = on; }
+
     std::size_t size() const { return m_live; } ///< Programs that work or are being compiled.
     const ProgramCounters& counters() const { return m_counters; }
 

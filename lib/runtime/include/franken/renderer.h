@@ -2,13 +2,14 @@
 #pragma once
 
 #include "franken/capabilities.h"
+#include "franken/draw_target.h"
 #include "franken/environment.h"
 #include "franken/gl.h"
 #include "franken/gpu_memory.h"
 #include "franken/light.h"
 #include "franken/log.h"
 #include "franken/material.h"
-#include "franken/program_cache.h"
+#include "franken/program_supply.h"
 #include "franken/scene.h"
 #include "franken/specular_sky.h"
 #include "franken/viewpoint.h"
@@ -19,14 +20,6 @@
 #include <span>
 
 namespace franken {
-
-/// Where a picture goes.
-struct DrawTarget {
-    unsigned framebuffer = 0;            ///< A GL name; with a depth buffer.
-    int width = 0, height = 0;           ///< Pixels; the viewport begins at the lower left corner.
-    Float3 background{0, 0, 0};          ///< As it is written: encoded unless the target encodes, 0-1.
-    std::array<int, 3> bits = {8, 8, 8}; ///< Of each colour channel: what dithering goes by.
-};
 
 /// A model that a renderer holds; never given to another one.
 enum class ModelId : unsigned {};
@@ -99,11 +92,30 @@ public:
     /// would rather keep what works tries them in a ProgramCache of his own first.
     void setSnippets(const SnippetSet& snippets);
 
-    /// Makes the programs that the next frame needs, so that it compiles nothing. Fails as
-    /// ProgramCache::get() does.
+    /// Makes the programs that the next frame needs. The driver may still compile them again for the target's
+    /// format: see warmUp(). Fails as ProgramSupply::get() does; what has a program is drawn all the same.
     Result<void> prepare();
 
-    /// Fails as prepare() does, and with "renderer.context-lost" between contextLost() and restore().
+    /// Makes and draws with all these programs, so that frames that need no others compile nothing, neither
+    /// in this library nor in the driver. usesOf() lists what scenes need in a certain light, a Manifest what
+    /// was needed in an earlier run. To be called once for each kind of target (its format, depth buffer and
+    /// samples count, its size does not), before the first frame: the target's contents are undefined
+    /// afterwards. Fails with "renderer.context-lost" alone: what the driver refuses falls down the ladder.
+    Result<WarmUpReport> warmUp(const DrawTarget& target, std::span<const ProgramUse> uses,
+                                const WarmUpProgress& progress = {});
+
+    /// How many programs a frame may make; beyond, simpler ones stand in until later frames. For those who
+    /// stream scenes; unlimited unless set.
+    void setCompileBudget(unsigned programsPerFrame);
+
+    /// What had to be compiled outside warmUp() since the last call: for the manifest of the next start.
+    std::vector<ProgramUse> takeMisses();
+
+    /// Which programs gave way to simpler ones, in the order in which it happened, and why.
+    const std::vector<LadderStep>& ladderSteps() const;
+
+    /// Fails as prepare() does, once for each set of programs, after it drew what has a program; and with
+    /// "renderer.context-lost" between contextLost() and restore().
     Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
 
     /// Someone else changed GL's state since the last call: to be said once, before the next one. Bindings of

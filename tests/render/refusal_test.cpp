@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+// Drivers that refuse programs at each rung of the ladder, in each way: the picture is never empty.
+#include "franken/generator/ladder.h"
+#include "support/draw_scene.h"
+#include "support/fake_driver.h"
+#include "support/shapes.h"
+
+#include <algorithm>
+
+namespace franken::test {
+namespace {
+
+using RefusalTest = PictureTest;
+
+INSTANTIATE_TEST_SUITE_P(Backends, RefusalTest, allBackends(), backendName);
+
+constexpr std::array kRefusals = {Refusal::Compile, Refusal::Link, Refusal::Draw};
+
+// Where most rungs of the ladder matter.
+Shot richShot(AlphaMode alpha = AlphaMode::Opaque) {
+    SceneBuilder builder;
+    Material material;
+    material.baseColorTexture.texture =
+        builder.addTexture(checkers(8, 4, {1, 0.6f, 0.2f, 1}, {0.9f, 0.9f, 0.8f, 1}));
+    material.normalTexture.texture =
+        builder.addTexture(bumps(16, 2), Filter::LinearMipmapLinear, Wrap::ClampToEdge);
+    material.metallicRoughnessTexture.texture =
+        builder.addTexture(checkers(8, 2, {1, 0.5f, 0, 1}, {1, 0.9f, 0, 1}));
+    material.alphaMode = alpha;
+    builder.add(sphere(12), builder.addMaterial(material));
+    for (const float x : {-1.0f, -0.5f, 0.5f})
+        builder.addSun({x, -1, -1}, {1, 1, 1}, 1);
+    Shot shot{.scene = builder.scene,
+              .camera = framingCamera(builder.scene.bounds(), 1),
+              .lighting = lightingOf(builder.scene),
+              .look = {.toneMap = ToneMap::Aces, .dither = Dither::Ordered}};
+    shot.lighting.ambient = Ambient::Color;
+    shot.lighting.ambientColor = {0.1f, 0.1f, 0.1f};
+    return shot;
+}
+
+std::vector<Permutation> ladderOf(const Shot& shot) {
+    std::vector<Permutation> rungs = {usesOf(shot.scene, shot.lighting, shot.look)->at(0).permutation};
+    while (const auto next = simpler(rungs.back()))
+        rungs.push_back(*next);
+    return rungs;
+}
+
+struct Drawn {
+    std::size_t covered = 0; ///< Pixels that are not the background.
+    std::vector<LadderStep> steps;
+    std::vector<std::string> log;
+    Result<void> result;
+};
+
+class Kiosk {
+public:
+    Kiosk(const Gl& gl, platform::Surface& surface) : m_gl(gl), m_target{surface.framebuffer(), 64, 64} {}
+
+    bool warm = false;
+
+    Drawn draw(const Shot& shot) {
+        Drawn drawn;
+        Renderer renderer(m_gl, [&](LogLevel, std::string_view text) { drawn.log.emplace_back(text); });
+        EXPECT_TRUE(renderer.load(shot.scene));
+        renderer.setLighting(shot.lighting);
+        renderer.setLook(shot.look);
+        if (warm) {
+            EXPECT_TRUE(renderer.warmUp(m_target, *usesOf(shot.scene, shot.lighting, shot.look)));
+        }
+        for (int frame = 0; frame < 2; ++frame)
+            if (Result<void> result = renderer.draw(viewpointOf(shot.camera, 1), m_target); !result)
+                drawn.result = result;
+        std::vector<std::array<std::uint8_t, 4>> pixels(64 * 64);
+        m_gl.ReadPixels(0, 0, 64, 64, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+        drawn.covered =
+            static_cast<std::size_t>(std::count_if(pixels.begin(), pixels.end(), [](const auto& pixel) {
+                return pixel[0] + pixel[1] + pixel[2] > 0;
+            }));
+        drawn.steps = renderer.ladderSteps();
+        EXPECT_EQ(m_gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
+        return drawn;
+    }
+
+private:
+    Gl m_gl;
+    DrawTarget m_target;
+};
+
+TEST_P(RefusalTest, EachRungGivesWayToTheNextAndSomethingIsDrawn) {
+    const Shot shot = richShot();
+    const std::vector<Permutation> rungs = ladderOf(shot);
+    ASSERT_GE(rungs.size(), 6u);
+    const std::size_t whole = Kiosk(gl(), surface()).draw(shot).covered;
+    ASSERT_GT(whole, 900u);
+    for (const Refusal refusal : kRefusals)
+        for (const bool warm : {false, true})
+            for (std::size_t count = 1; count < rungs.size(); ++count) {
+                const std::vector<Permutation> refused(rungs.begin(),
+                                                       rungs.begin() + static_cast<std::ptrdiff_t>(count));
+                Kiosk kiosk(refusingDriver(gl(), refusal, refused), surface());
+                kiosk.warm = warm;
+                const Drawn drawn = kiosk.draw(shot);
+                EXPECT_TRUE(drawn.result) << toString(drawn.result.error());
+                EXPECT_EQ(drawn.covered, whole) << toName(rungs[count]);
+                ASSERT_EQ(drawn.steps.size(), count) << "each is reported once";
+                EXPECT_EQ(drawn.log.size(), count);
+                for (std::size_t i = 0; i < count; ++i) {
+                    EXPECT_EQ(drawn.steps[i].failed, rungs[i]);
+                    EXPECT_EQ(drawn.steps[i].next, rungs[i + 1]);
+                }
+            }
+}
+
+TEST_P(RefusalTest, AReportNamesStageLineAndWhatReproducesIt) {
+    const Shot shot = richShot();
+    const Permutation first = ladderOf(shot)[0];
+    const Drawn compiled = Kiosk(refusingDriver(gl(), Refusal::Compile, {first}), surface()).draw(shot);
+    ASSERT_EQ(compiled.log.size(), 1u);
+    for (const std::string& part :
+         {std::string("(fragment shader)"), std::string("0:40(5): error: refused [generator/glsl/fragment/"),
+          "frankenshader dump " + toName(first), std::string("program.compile"), std::string("; key 1"),
+          std::string(" instead")})
+        EXPECT_NE(compiled.log[0].find(part), std::string::npos) << part << " in " << compiled.log[0];
+    const Drawn silent = Kiosk(refusingDriver(gl(), Refusal::Draw, {first}), surface()).draw(shot);
+    ASSERT_EQ(silent.log.size(), 1u);
+    EXPECT_NE(silent.log[0].find("program.draw"), std::string::npos) << silent.log[0];
+}
+
+TEST_P(RefusalTest, BlendedAndMaskedSurfacesHaveALadderToo) {
+    for (const AlphaMode alpha : {AlphaMode::Blend, AlphaMode::Mask}) {
+        const Shot shot = richShot(alpha);
+        const std::vector<Permutation> rungs = ladderOf(shot);
+        const std::vector<Permutation> refused(rungs.begin(), rungs.end() - 1);
+        const std::size_t whole = Kiosk(gl(), surface()).draw(shot).covered;
+        const Drawn drawn = Kiosk(refusingDriver(gl(), Refusal::Draw, refused), surface()).draw(shot);
+        EXPECT_EQ(drawn.steps.size(), refused.size());
+        EXPECT_EQ(drawn.covered, whole);
+    }
+}
+
+TEST_P(RefusalTest, WhereNothingWorksTheErrorSaysSo) {
+    for (const Refusal refusal : kRefusals) {
+        const Drawn drawn = Kiosk(refusingDriver(gl(), refusal), surface()).draw(richShot());
+        ASSERT_FALSE(drawn.result);
+        EXPECT_EQ(drawn.result.error().code.substr(0, 8), "program.");
+        ASSERT_FALSE(drawn.steps.empty());
+        EXPECT_FALSE(drawn.steps.back().next);
+    }
+}
+
+TEST_P(RefusalTest, ABlackSurfaceIsDrawnAndNotTakenForAFailure) {
+    Shot shot = richShot();
+    shot.scene.materials[0] = {};
+    shot.scene.materials[0].baseColor = {0, 0, 0, 1};
+    shot.lighting = {};
+    EXPECT_TRUE(Kiosk(gl(), surface()).draw(shot).steps.empty());
+}
+
+TEST_P(RefusalTest, ATargetThatCannotBeReadIsTakenOnTrust) {
+    Gl blind = gl();
+    blind.ReadPixels = [](GLint, GLint, GLsizei width, GLsizei height, GLenum, GLenum, void* pixels) {
+        std::fill_n(static_cast<std::uint8_t*>(pixels), 4 * width * height, std::uint8_t{7});
+    };
+    const Drawn drawn = Kiosk(blind, surface()).draw(richShot());
+    EXPECT_TRUE(drawn.result);
+    EXPECT_TRUE(drawn.steps.empty());
+    ASSERT_EQ(drawn.log.size(), 1u) << "said once";
+    EXPECT_NE(drawn.log[0].find("on trust"), std::string::npos);
+}
+
+TEST_P(RefusalTest, ASkyThatIsRefusedLeavesTheBackground) {
+    Shot shot = richShot();
+    SkyCube cube{.size = 1, .range = 64, .images = {}};
+    cube.images.fill({"", 1, 1, {255, 255, 255, 64}});
+    const std::vector<Permutation> skies = {*skyPermutation(shot.look)};
+    Renderer renderer(refusingDriver(gl(), Refusal::Draw, skies));
+    ASSERT_TRUE(renderer.load(shot.scene));
+    ASSERT_TRUE(renderer.setBackdrop(&cube));
+    renderer.setLook(shot.look);
+    ASSERT_TRUE(renderer.draw(viewpointOf(shot.camera, 1), {surface().framebuffer(), 64, 64}));
+    ASSERT_EQ(renderer.ladderSteps().size(), 1u);
+    EXPECT_EQ(toName(*renderer.ladderSteps()[0].next), "sky+aces") << "a rung, with a sky";
+    EXPECT_GT(readBack().pixel(0, 0)[0], 0);
+}
+
+} // namespace
+} // namespace franken::test
