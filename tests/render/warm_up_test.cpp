@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// After a warm-up a run compiles nothing, by the library's own count. What Mesa's drivers for the Pi compile
+// by theirs is counted in tests/qpu.
+#include "support/draw_scene.h"
+#include "support/kiosk_frames.h"
+
+#include <numeric>
+
+namespace franken::test {
+namespace {
+
+class WarmUpTest : public PictureTest {
+protected:
+    DrawTarget target() { return {surface().framebuffer(), 64, 64}; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, WarmUpTest, allBackends(), backendName);
+
+TEST_P(WarmUpTest, AThousandFramesCompileNothing) {
+    KioskFrames kiosk;
+    Renderer renderer(gl());
+    ASSERT_TRUE(kiosk.load(renderer));
+    const std::vector<ProgramUse> uses = kiosk.uses();
+    const Result<WarmUpReport> report = renderer.warmUp(target(), uses);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->failed, 0u);
+    EXPECT_GE(report->programs, 30u);
+    EXPECT_GE(report->draws, report->programs);
+    const ProgramCounters before = renderer.programCounters();
+    EXPECT_GT(before.compiles, 0u);
+    const std::vector<DrawTarget> targets = {
+        target(), {surface().framebuffer(), 40, 30}, {surface().framebuffer(), 17, 64}};
+    for (int frame = 0; frame < 1000; ++frame) {
+        const Result<void> drawn = kiosk.draw(renderer, frame, targets);
+        ASSERT_TRUE(drawn) << "frame " << frame << ": " << toString(drawn.error());
+    }
+    const ProgramCounters after = renderer.programCounters();
+    EXPECT_EQ(after.compiles, before.compiles);
+    EXPECT_EQ(after.links, before.links);
+    EXPECT_EQ(after.evictions, 0u);
+    EXPECT_GT(after.hits, before.hits);
+    EXPECT_TRUE(renderer.takeMisses().empty());
+    EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
+    std::cout << report->programs << " programs from " << before.compiles << " shaders, " << report->draws
+              << " draws, in " << report->milliseconds << " ms\n";
+}
+
+TEST_P(WarmUpTest, WhatWasMissedIsKnownOnceAndWarmsUpTheNextRun) {
+    KioskFrames kiosk;
+    std::vector<ProgramUse> misses;
+    {
+        Renderer renderer(gl());
+        ASSERT_TRUE(kiosk.load(renderer));
+        for (int frame = 0; frame < 210; ++frame)
+            ASSERT_TRUE(kiosk.draw(renderer, frame, {target()}));
+        misses = renderer.takeMisses();
+        EXPECT_FALSE(misses.empty());
+        EXPECT_TRUE(renderer.takeMisses().empty());
+    }
+    KioskFrames again;
+    Renderer renderer(gl());
+    ASSERT_TRUE(again.load(renderer));
+    ASSERT_TRUE(renderer.warmUp(target(), misses));
+    const unsigned links = renderer.programCounters().links;
+    for (int frame = 0; frame < 210; ++frame)
+        ASSERT_TRUE(again.draw(renderer, frame, {target()}));
+    EXPECT_EQ(renderer.programCounters().links, links);
+    EXPECT_TRUE(renderer.takeMisses().empty());
+}
+
+TEST_P(WarmUpTest, ProgressCountsUpToTheTotal) {
+    KioskFrames kiosk;
+    Renderer renderer(gl());
+    ASSERT_TRUE(kiosk.load(renderer));
+    std::vector<std::size_t> seen;
+    std::size_t last = 0;
+    ASSERT_TRUE(renderer.warmUp(target(), kiosk.uses(), [&](std::size_t done, std::size_t total) {
+        seen.push_back(done);
+        last = total;
+    }));
+    std::vector<std::size_t> expected(seen.size());
+    std::iota(expected.begin(), expected.end(), std::size_t{1});
+    EXPECT_EQ(seen, expected);
+    EXPECT_EQ(seen.size(), last);
+}
+
+std::vector<bool> silhouetteOf(const Picture& picture) {
+    std::vector<bool> covered;
+    for (std::size_t i = 0; i < picture.rgba.size(); i += 4)
+        covered.push_back(picture.rgba[i] + picture.rgba[i + 1] + picture.rgba[i + 2] > 0);
+    return covered;
+}
+
+TEST_P(WarmUpTest, OverTheBudgetASimplerProgramStandsIn) {
+    KioskFrames kiosk;
+    const std::vector<DrawTarget> targets = {target()};
+    Renderer renderer(gl());
+    ASSERT_TRUE(kiosk.load(renderer));
+    ASSERT_TRUE(kiosk.draw(renderer, 0, targets));
+    const Picture wanted = toPicture(readBack());
+
+    KioskFrames streaming;
+    Renderer small(gl());
+    ASSERT_TRUE(streaming.load(small));
+    small.setCompileBudget(0);
+    ASSERT_TRUE(streaming.draw(small, 0, targets));
+    const Picture standIn = toPicture(readBack());
+    EXPECT_EQ(small.programCounters().links, 1u) << "the last rung";
+    EXPECT_GT(compareLit(standIn, wanted).max(), 10) << "something simpler";
+    EXPECT_EQ(silhouetteOf(standIn), silhouetteOf(wanted)) << "of the same shape";
+    EXPECT_TRUE(small.ladderSteps().empty()) << "nothing failed";
+
+    small.setCompileBudget(1);
+    ASSERT_TRUE(streaming.draw(small, 1, targets));
+    EXPECT_EQ(small.programCounters().links, 2u);
+    EXPECT_EQ(compareLit(toPicture(readBack()), wanted).max(), 0) << "its turn came";
+}
+
+TEST_P(WarmUpTest, ALostContextIsWarmedUpAgain) {
+    KioskFrames kiosk;
+    Renderer renderer(gl());
+    ASSERT_TRUE(kiosk.load(renderer));
+    ASSERT_TRUE(renderer.warmUp(target(), kiosk.uses()));
+    renderer.contextLost();
+    EXPECT_EQ(renderer.warmUp(target(), kiosk.uses()).error().code, "renderer.context-lost");
+    ASSERT_TRUE(renderer.restore(gl()));
+    const unsigned links = renderer.programCounters().links;
+    const Result<WarmUpReport> report = renderer.warmUp(target(), kiosk.uses());
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->failed, 0u);
+    EXPECT_EQ(renderer.programCounters().links, 2 * links);
+}
+
+} // namespace
+} // namespace franken::test

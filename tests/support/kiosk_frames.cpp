@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "support/kiosk_frames.h"
+
+#include "support/shapes.h"
+
+#include <array>
+
+namespace franken::test {
+namespace {
+
+constexpr std::array kLooks = {Look{}, Look{.toneMap = ToneMap::Aces}};
+
+// Every alpha mode, wraps of all kinds, factors and textures, vertex colours.
+Scene tiledBall() {
+    SceneBuilder builder;
+    Material material;
+    material.baseColorTexture.texture =
+        builder.addTexture(checkers(8, 4, {1, 0.6f, 0.2f, 1}, {0.9f, 0.9f, 0.8f, 1}));
+    material.normalTexture.texture =
+        builder.addTexture(bumps(16, 2), Filter::LinearMipmapLinear, Wrap::MirroredRepeat);
+    material.metallicRoughnessTexture.texture = builder.addTexture(
+        checkers(8, 2, {1, 0.5f, 0, 1}, {1, 0.9f, 1, 1}), Filter::Linear, Wrap::ClampToEdge);
+    material.doubleSided = true;
+    builder.add(sphere(8), builder.addMaterial(material));
+    return builder.scene;
+}
+
+Scene leafAndGlass() {
+    SceneBuilder builder;
+    Material leaf;
+    leaf.baseColorTexture.texture =
+        builder.addTexture(checkers(8, 4, {0.2f, 0.8f, 0.3f, 1}, {0, 0, 0, 0}), Filter::Nearest);
+    leaf.alphaMode = AlphaMode::Mask;
+    builder.add(square(), builder.addMaterial(leaf));
+    Material glass;
+    glass.baseColor = {0.5f, 0.6f, 1, 0.4f};
+    glass.roughness = 0.1f;
+    glass.metallic = 0;
+    glass.alphaMode = AlphaMode::Blend;
+    builder.add(sphere(8), builder.addMaterial(glass));
+    return builder.scene;
+}
+
+Scene paintedSign() {
+    SceneBuilder builder;
+    Material sign;
+    sign.unlit = true;
+    Primitive board = square();
+    board.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
+    builder.add(board, builder.addMaterial(sign));
+    Material lamp;
+    lamp.emissive = {2, 1, 0.5f};
+    builder.add(sphere(6), builder.addMaterial(lamp));
+    return builder.scene;
+}
+
+std::vector<Lighting> lightsOnAndOff() {
+    const Sun sun{.direction = {-1, -1, -1}, .illuminance = 3};
+    const Lamp point{.position = {0, 1, 2}, .intensity = 2};
+    Lamp spot = point;
+    spot.spot = true;
+    Lighting dark, day, dusk, night, sky;
+    dark.ambient = Ambient::Color;
+    dark.ambientColor = {0.2f, 0.2f, 0.2f};
+    day = dark;
+    day.suns = {sun, sun};
+    dusk = dark;
+    dusk.suns = {sun};
+    dusk.lamps = {point};
+    night.lamps = {spot, spot, point};
+    sky.ambient = Ambient::Sky;
+    sky.skySpecular = SkySpecular::Lookup;
+    sky.sky[0] = {1, 1, 1};
+    sky.suns = {sun};
+    return {dark, day, dusk, night, sky};
+}
+
+} // namespace
+
+KioskFrames::KioskFrames()
+    : m_scenes{tiledBall(), leafAndGlass(), paintedSign()},
+      m_lightings(lightsOnAndOff()),
+      m_sky{.size = 1, .range = 64, .images = {}} {
+    m_sky.images.fill({"", 1, 1, {255, 255, 255, 64}});
+}
+
+std::vector<ProgramUse> KioskFrames::uses() const {
+    std::vector<ProgramUse> all;
+    for (const Look& look : kLooks) {
+        for (const Scene& scene : m_scenes)
+            for (const Lighting& lighting : m_lightings) {
+                const Result<std::vector<ProgramUse>> uses = usesOf(scene, lighting, look);
+                all.insert(all.end(), uses->begin(), uses->end());
+            }
+        all.push_back(*skyUse(look));
+    }
+    return all;
+}
+
+Result<void> KioskFrames::load(Renderer& renderer) {
+    for (const Scene& scene : m_scenes) {
+        const Result<ModelId> model = renderer.add(scene);
+        if (!model)
+            return model.error();
+        m_models.push_back(*model);
+    }
+    return {};
+}
+
+Result<void> KioskFrames::draw(Renderer& renderer, int frame, const std::vector<DrawTarget>& targets) {
+    const auto turn = [frame](std::size_t period, std::size_t count) {
+        return static_cast<std::size_t>(frame) / period % count;
+    };
+    const std::size_t model = turn(7, m_models.size());
+    if (frame % 7 == 0)
+        if (Result<void> shown = renderer.show({{m_models[model]}}); !shown)
+            return shown;
+    if (frame % 11 == 0)
+        if (Result<void> changed = renderer.setBackdrop(turn(11, 2) == 0 ? nullptr : &m_sky); !changed)
+            return changed;
+    renderer.setLook(kLooks[turn(50, kLooks.size())]);
+    renderer.setLighting(m_lightings[turn(3, m_lightings.size())]);
+    const DrawTarget& target = targets[turn(25, targets.size())];
+    const Camera camera = framingCamera(m_scenes[model].bounds(), 1);
+    return renderer.draw(viewpointOf(camera, static_cast<double>(target.width) / target.height), target);
+}
+
+} // namespace franken::test

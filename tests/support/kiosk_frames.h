@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/renderer.h"
+
+#include <vector>
+
+namespace franken::test {
+
+/// The life of a kiosk in short: models change, lights go on and off, the backdrop comes and goes, the
+/// surface is resized. All that a run will need is known before: uses().
+class KioskFrames {
+public:
+    KioskFrames();
+
+    /// Of all models in all lights.
+    std::vector<ProgramUse> uses() const;
+
+    /// Adds the models.
+    Result<void> load(Renderer& renderer);
+
+    /// Draws frame number `frame`. `targets`: as many as there are sizes of the surface; each is used for
+    /// some frames in turn.
+    Result<void> draw(Renderer& renderer, int frame, const std::vector<DrawTarget>& targets);
+
+private:
+    std::vector<Scene> m_scenes;
+    std::vector<Lighting> m_lightings;
+    std::vector<ModelId> m_models;
+    SkyCube m_sky;
+};
+
+} // namespace franken::test
