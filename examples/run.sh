@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # examples/run.sh [MODEL.gltf|MODEL.glb]: from nothing to a picture, on a machine without a GPU. Installs
 # what is missing, builds, prints the shader that this library is named after, and renders a model of our
-# own and one by others (or MODEL).
+# own under a sky of our own, and one by others (or MODEL).
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
 bin=$root/build/release/bin
@@ -20,7 +20,9 @@ echo
 
 mkdir -p "$out"
 [ -f "$out/model.glb" ] || "$bin/make_model" "$out/model.glb"
-"$bin/viewer" "$out/model.glb" -o "$out/model.png" --size 800x600 --supersample
+[ -f "$out/lake.hdr" ] || "$bin/make_model" "$out/lake.hdr"
+[ -f "$out/lake.sky" ] || "$bin/bake" "$out/lake.hdr" --sun -o "$out/lake.sky"
+"$bin/viewer" "$out/model.glb" --skybox "$out/lake.sky" --tone-map neutral -o "$out/model.png" --size 800x600 --supersample
 "$bin/viewer" "$model" -o "$out/$(basename "${model%.*}").png" --size 800x600 --supersample
 
 echo

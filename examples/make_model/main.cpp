@@ -3,10 +3,12 @@
 #include <iostream>
 
 #include "gltf_writer.h"
+#include "sky.h"
 
 int main(int argc, char** argv) {
     constexpr const char* kUsage = "usage: make_model OUT.gltf   writes OUT.gltf, OUT.bin and OUT_*.png\n"
-                                   "       make_model OUT.glb    writes one file\n";
+                                   "       make_model OUT.glb    writes one file\n"
+                                   "       make_model OUT.hdr    writes a sky for it\n";
     if (argc == 2 && std::strcmp(argv[1], "--help") == 0) {
         std::cout << kUsage;
         return 0;
@@ -15,7 +17,9 @@ int main(int argc, char** argv) {
         std::cerr << kUsage;
         return 2;
     }
-    const auto written = make_model::writeGltf(make_model::makeModel(), argv[1]);
+    const std::filesystem::path path = argv[1];
+    const auto written = path.extension() == ".hdr" ? make_model::writeSky(path)
+                                                    : make_model::writeGltf(make_model::makeModel(), path);
     if (!written) {
         std::cerr << "make_model: " << franken::toString(written.error()) << '\n';
         return 1;

@@ -65,6 +65,22 @@ TEST_F(Bake, MakesOfASkyWhatTheRuntimeReads) {
     EXPECT_EQ(encodeBakedSky(*direct), encodeBakedSky(*baked));
 }
 
+/// The demonstration's sky: a sun to the left of what is ahead, and as bright as daylight indoors.
+TEST_F(Bake, MakeModelWritesASky) {
+    ASSERT_EQ(std::system((MAKE_MODEL " " + (m_folder / "lake.hdr").string()).c_str()), 0);
+    auto sky = loadEnvironment(m_folder / "lake.hdr");
+    ASSERT_TRUE(sky) << toString(sky.error());
+    EXPECT_EQ(sky->width, 1024);
+    const auto sun = takeSun(*sky);
+    ASSERT_TRUE(sun);
+    EXPECT_GT(sun->direction[0], 0.7f);
+    EXPECT_GT(sun->direction[2], 0.3f);
+    EXPECT_LT(sun->direction[1], -0.1f);
+    const Float3 mean = skyCoefficients(*sky)[0];
+    EXPECT_GT(mean[1] / 3.5449f, 0.1f);
+    EXPECT_LT(mean[1] / 3.5449f, 1);
+}
+
 TEST_F(Bake, ExitCodesTellWhoseFaultItIs) {
     writeSky("flat.hdr");
     EXPECT_EQ(run("--help"), 0);
