@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What composing costs: next to a memcpy of the text, which nothing can beat, and next to a composer that
 // finds and replaces. One run measures all three, so that the ratios hold on any machine.
+#include "ratio_reporter.h"
 #include "replace_composer.h"
-
-#include <benchmark/benchmark.h>
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <map>
 
 namespace {
 
@@ -59,24 +57,6 @@ BENCHMARK(replaceTypical);
 BENCHMARK(copyText);
 BENCHMARK(canonicaliseTypical);
 
-// Prints as the console does, and keeps the times.
-class Reporter : public benchmark::ConsoleReporter {
-public:
-    void ReportRuns(const std::vector<Run>& runs) override {
-        for (const Run& run : runs)
-            m_times[run.benchmark_name()] = run.GetAdjustedCPUTime();
-        ConsoleReporter::ReportRuns(runs);
-    }
-
-    void printRatio(const char* one, const char* other) {
-        if (m_times.count(one) != 0 && m_times.count(other) != 0)
-            std::printf("%s / %s: %.3f\n", one, other, m_times[one] / m_times[other]);
-    }
-
-private:
-    std::map<std::string, double> m_times;
-};
-
 bool sameBytes() {
     const Composed program = compose(typical());
     const auto [vertex, fragment] = bench::composeByReplacing(typical());
@@ -91,7 +71,7 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "the two composers write different texts: the comparison means nothing\n");
         return 1;
     }
-    Reporter reporter;
+    bench::RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     reporter.printRatio("composeTypical", "replaceTypical");
     reporter.printRatio("composeTypical", "copyText");
