@@ -2,43 +2,50 @@
 #include "frustum.h"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
+#include <glm/ext/vector_double3.hpp>
+#include <glm/ext/vector_double4.hpp>
 
 #include <cmath>
 #include <limits>
 
 namespace franken {
 
-Bounds boundsOf(const Box& box, const glm::dmat4& world) {
+Bounds boundsOf(const Box& box, const glm::mat4& world) {
     if (box.empty())
-        return {glm::dvec3(0), glm::dvec3(std::numeric_limits<double>::infinity())};
+        return {glm::vec3(0), glm::vec3(std::numeric_limits<float>::infinity())};
     const glm::dvec3 low(box.min), high(box.max);
     const glm::dvec3 half = 0.5 * (high - low);
-    return {glm::dvec3(world * glm::dvec4(0.5 * (low + high), 1)),
-            glm::abs(glm::dvec3(world[0])) * half.x + glm::abs(glm::dvec3(world[1])) * half.y +
-                glm::abs(glm::dvec3(world[2])) * half.z};
+    const glm::dmat4 place(world);
+    const glm::dvec3 center(place * glm::dvec4(0.5 * (low + high), 1));
+    const glm::dvec3 extent = glm::abs(glm::dvec3(place[0])) * half.x +
+                              glm::abs(glm::dvec3(place[1])) * half.y +
+                              glm::abs(glm::dvec3(place[2])) * half.z;
+    // The GPU works in float: what its rounding, and ours, could bring back into view is kept.
+    constexpr double kRounding = 1e-5, kCenterRounding = 1e-6;
+    return {glm::vec3(center), glm::vec3(extent * (1 + kRounding) + glm::abs(center) * kCenterRounding)};
 }
 
 Frustum::Frustum(const glm::dmat4& viewProjection) {
-    const glm::dmat4 rows = glm::transpose(viewProjection);
-    for (int axis = 0; axis < 3; ++axis) {
-        m_planes[static_cast<std::size_t>(2 * axis)] = rows[3] + rows[axis];
-        m_planes[static_cast<std::size_t>(2 * axis + 1)] = rows[3] - rows[axis];
-    }
+    for (int column = 0; column < 4; ++column)
+        for (int axis = 0; axis < 3; ++axis) {
+            const double row = viewProjection[column][axis], last = viewProjection[column][3];
+            auto& planes = m_planes[static_cast<std::size_t>(column)];
+            planes[static_cast<std::size_t>(2 * axis)] = last + row;
+            planes[static_cast<std::size_t>(2 * axis + 1)] = last - row;
+        }
 }
 
 bool Frustum::mayShow(const Bounds& bounds) const {
-    // The GPU works in float: what its rounding could bring back into view is kept.
-    constexpr double kRounding = 1e-5;
-    for (const glm::dvec4& plane : m_planes) {
-        const glm::dvec3 normal(plane);
-        const double reach = glm::dot(glm::abs(normal), bounds.extent);
-        const double distance = glm::dot(normal, bounds.center) + plane.w;
-        if (distance + reach < -kRounding * (std::abs(plane.w) + reach))
-            return false;
+    const auto& [x, y, z, w] = m_planes;
+    const glm::dvec3 center(bounds.center), extent(bounds.extent);
+    bool outside = false;
+    for (std::size_t plane = 0; plane < kPlanes; ++plane) {
+        const double distance = x[plane] * center.x + y[plane] * center.y + z[plane] * center.z + w[plane];
+        const double reach =
+            std::abs(x[plane]) * extent.x + std::abs(y[plane]) * extent.y + std::abs(z[plane]) * extent.z;
+        outside |= distance < -reach;
     }
-    return true;
+    return !outside;
 }
 
 } // namespace franken

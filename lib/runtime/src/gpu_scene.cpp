@@ -48,14 +48,12 @@ private:
                 return material.error();
             m_gpu.drawables.push_back({.mesh = gpuMesh++,
                                        .material = *material,
-                                       .world = glm::dmat4(instance.world),
-                                       .bounds = boundsOf(primitive.bounds, glm::dmat4(instance.world)),
+                                       .bounds = boundsOf(primitive.bounds, instance.world),
+                                       .block = {},
                                        .mirrored = instance.mirrored,
                                        .doubleSided = source.doubleSided,
-                                       .blended = source.alphaMode == AlphaMode::Blend,
-                                       .block = {}});
-            Drawable& placed = m_gpu.drawables.back();
-            placeObject(placed.block.edit(), placed.world, placed.mirrored);
+                                       .blended = source.alphaMode == AlphaMode::Blend});
+            placeObject(m_gpu.drawables.back().block, instance.world, instance.mirrored);
         }
         return {};
     }

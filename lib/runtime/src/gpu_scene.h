@@ -28,10 +28,9 @@ struct GpuMaterial {
 /// A primitive, placed in the world.
 struct Drawable {
     std::size_t mesh, material; ///< Indices into GpuScene.
-    glm::dmat4 world;
-    Bounds bounds; ///< In the world.
+    Bounds bounds;              ///< In the world.
+    ObjectBlock block;          ///< But for what depends on the camera.
     bool mirrored, doubleSided, blended;
-    UniformBlock<ObjectBlock> block;
 };
 
 /// A scene's GL objects and draws.
@@ -40,7 +39,6 @@ struct GpuScene {
     std::vector<GpuMesh> meshes;      ///< One for each primitive.
     std::vector<GpuMaterial> materials;
     std::vector<Drawable> drawables;
-    unsigned number = 0; ///< Another one for each scene: draws are ordered by it.
 };
 
 /// What is bound where a material has no texture: one texel that changes nothing.

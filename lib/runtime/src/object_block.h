@@ -21,9 +21,9 @@ void roundTo(Values& values, const Matrix& matrix) {
 Float3 toFloat3(const glm::dvec3& v);
 
 /// What depends on where an object is: its model and normal matrices. `world` is affine.
-void placeObject(ObjectBlock& block, const glm::dmat4& world, bool mirrored);
+void placeObject(ObjectBlock& block, const glm::mat4& world, bool mirrored);
 
-/// What depends on the camera as well.
-void projectObject(ObjectBlock& block, const glm::dmat4& viewProjection, const glm::dmat4& world);
+/// What depends on the camera as well; after placeObject().
+void projectObject(ObjectBlock& block, const glm::dmat4& viewProjection);
 
 } // namespace franken

@@ -61,8 +61,7 @@ Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target
         return resolved;
     state.updateBlocks(viewpoint, target);
     state.beginFrame(target);
-    for (const Placed& placed : state.visibleOpaque)
-        state.drawOne(placed);
+    state.drawOpaque();
     if (state.sky && state.skyProgram)
         state.drawBackdrop();
     state.drawBlended();
@@ -73,8 +72,7 @@ void Renderer::invalidateState() { m_state->glState.invalidate(); }
 
 FrameCounters Renderer::frameCounters() const {
     const std::size_t all = m_state->opaque.size() + m_state->blended.size();
-    const std::size_t drawn = m_state->visibleOpaque.size() + m_state->visibleBlended.size();
-    return {.drawn = drawn, .culled = all - drawn};
+    return {.drawn = m_state->drawn, .culled = all - m_state->drawn};
 }
 
 GpuMemory& Renderer::memory() { return m_state->memory; }

@@ -34,8 +34,8 @@ void Renderer::contextLost() {
     state.glState.invalidate();
     state.opaque.clear();
     state.blended.clear();
-    state.visibleOpaque.clear();
-    state.visibleBlended.clear();
+    state.backToFront.clear();
+    state.drawn = 0;
     state.resolved = false;
 }
 

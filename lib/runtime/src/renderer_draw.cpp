@@ -8,13 +8,12 @@
 namespace franken {
 
 void Renderer::State::sortOpaque() {
-    const auto order = [](const Placed& placed) {
-        const ProgramHandle& program = placed.material().program;
-        return std::tuple(program ? program->name() : 0, placed.scene->number, placed.drawable->material,
-                          placed.drawable->mesh);
+    const auto order = [](const Object& object) {
+        const ProgramHandle& program = object.material->program;
+        return std::tuple(program ? program->name() : 0, object.order);
     };
-    std::stable_sort(opaque.begin(), opaque.end(),
-                     [&](const Placed& a, const Placed& b) { return order(a) < order(b); });
+    std::sort(opaque.begin(), opaque.end(),
+              [&](const Object& a, const Object& b) { return order(a) < order(b); });
     seenFrom.reset();
 }
 
@@ -31,24 +30,34 @@ void Renderer::State::updateBlocks(const Viewpoint& viewpoint, const DrawTarget&
         findVisible(viewpoint);
 }
 
+bool Renderer::State::place(Object& object, const Frustum& frustum, const glm::dmat4& viewProjection) {
+    object.visible = object.material->program && frustum.mayShow(object.bounds);
+    if (object.visible)
+        projectObject(object.block, viewProjection);
+    return object.visible;
+}
+
 void Renderer::State::findVisible(const Viewpoint& viewpoint) {
     const Frustum frustum(viewpoint.viewProjection);
-    const auto keep = [&](const std::vector<Placed>& all, std::vector<Placed>& visible) {
-        visible.clear();
-        for (const Placed& placed : all)
-            if (placed.material().program && frustum.mayShow(placed.drawable->bounds)) {
-                projectObject(placed.drawable->block.edit(), viewpoint.viewProjection,
-                              placed.drawable->world);
-                visible.push_back(placed);
-            }
+    drawn = 0;
+    std::uint64_t serial = newSerials(opaque.size() + blended.size());
+    for (Object& object : opaque)
+        if (place(object, frustum, viewpoint.viewProjection)) {
+            object.serial = serial++;
+            ++drawn;
+        }
+    backToFront.clear();
+    for (Object& object : blended)
+        if (place(object, frustum, viewpoint.viewProjection)) {
+            object.serial = serial++;
+            backToFront.push_back(&object);
+        }
+    drawn += backToFront.size();
+    const auto depth = [&](const Object* object) {
+        return glm::dot(glm::dvec3(object->bounds.center) - viewpoint.eye, viewpoint.forward);
     };
-    keep(opaque, visibleOpaque);
-    keep(blended, visibleBlended);
-    const auto depth = [&](const Placed& placed) {
-        return glm::dot(placed.drawable->bounds.center - viewpoint.eye, viewpoint.forward);
-    };
-    std::stable_sort(visibleBlended.begin(), visibleBlended.end(),
-                     [&](const Placed& a, const Placed& b) { return depth(a) > depth(b); });
+    std::stable_sort(backToFront.begin(), backToFront.end(),
+                     [&](const Object* a, const Object* b) { return depth(a) > depth(b); });
     seenFrom = viewpoint.viewProjection;
 }
 
@@ -71,29 +80,39 @@ void Renderer::State::use(ShaderProgram& program, const BlockViews& blocks) {
     glState.enableArrays(program.attributes());
 }
 
-void Renderer::State::drawOne(const Placed& placed) {
-    const Drawable& drawable = *placed.drawable;
-    const GpuMaterial& material = placed.material();
-    use(*material.program, {frame.view(), lights.view(), material.block.view(), drawable.block.view()});
-    if (boundMaterial != &material) {
-        for (const Sampler& sampler : material.program->interface().samplers)
-            if (const auto unit = static_cast<std::size_t>(sampler.unit); unit < kMaterialUnits)
-                glState.bindTexture(static_cast<unsigned>(unit), GL_TEXTURE_2D, material.textures[unit]);
-        boundMaterial = &material;
-    }
-    glState.setCulling(!drawable.doubleSided);
-    glState.setFrontFace(drawable.mirrored ? GL_CW : GL_CCW);
-    placed.scene->meshes[drawable.mesh].draw(gl, glState, material.program->attributes(),
-                                             material.plan.uvSets);
+void Renderer::State::bind(const GpuMaterial& material) {
+    use(*material.program, {frame.view(), lights.view(), material.block.view(), {}});
+    for (const Sampler& sampler : material.program->interface().samplers)
+        if (const auto unit = static_cast<std::size_t>(sampler.unit); unit < kMaterialUnits)
+            glState.bindTexture(static_cast<unsigned>(unit), GL_TEXTURE_2D, material.textures[unit]);
+    boundMaterial = &material;
+}
+
+void Renderer::State::drawOne(const Object& object) {
+    const GpuMaterial& material = *object.material;
+    if (boundMaterial != &material)
+        bind(material);
+    ShaderProgram& program = *material.program;
+    program.feed(Block::Object, {reinterpret_cast<const float*>(&object.block), object.serial});
+    glState.setCulling(!object.doubleSided);
+    glState.setFrontFace(object.mirrored ? GL_CW : GL_CCW);
+    object.mesh->draw(gl, glState, program.attributes(), material.plan.uvSets);
+}
+
+void Renderer::State::drawOpaque() {
+    for (const Object& object : opaque)
+        if (object.visible)
+            drawOne(object);
 }
 
 void Renderer::State::drawBlended() {
-    if (visibleBlended.empty())
+    if (backToFront.empty())
         return;
     glState.setBlending(true);
     glState.setDepthWrites(false);
-    for (const Placed& placed : visibleBlended)
-        drawOne(placed);
+    boundMaterial = nullptr; // The sky's program may be in use.
+    for (const Object* object : backToFront)
+        drawOne(*object);
 }
 
 } // namespace franken

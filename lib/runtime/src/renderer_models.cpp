@@ -2,6 +2,7 @@
 #include "renderer_state.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace franken {
 
@@ -33,7 +34,6 @@ Result<void> Renderer::State::upload(Model& model, const Scene& scene) {
     if (Result<void> checked = checkMemory(gl); !checked)
         return checked;
     model.gpu = *std::move(gpu);
-    model.gpu->number = static_cast<unsigned>(model.id);
     return {};
 }
 
@@ -63,16 +63,34 @@ bool Renderer::State::evictOne() {
     return true;
 }
 
+void Renderer::State::addObjects(const GpuScene& scene) {
+    std::vector<const Drawable*> sorted;
+    for (const Drawable& drawable : scene.drawables)
+        sorted.push_back(&drawable);
+    std::stable_sort(sorted.begin(), sorted.end(), [](const Drawable* a, const Drawable* b) {
+        return std::tie(a->material, a->mesh) < std::tie(b->material, b->mesh);
+    });
+    for (const Drawable* drawable : sorted)
+        (drawable->blended ? blended : opaque)
+            .push_back({.block = drawable->block,
+                        .bounds = drawable->bounds,
+                        .mesh = &scene.meshes[drawable->mesh],
+                        .material = &scene.materials[drawable->material],
+                        .order = static_cast<unsigned>(opaque.size()),
+                        .mirrored = drawable->mirrored,
+                        .doubleSided = drawable->doubleSided});
+}
+
 void Renderer::State::setShown(std::vector<Model*> list) {
     shown = std::move(list);
     wanted.clear();
     opaque.clear();
     blended.clear();
+    backToFront.clear();
     ++shows;
     for (Model* model : shown) {
         model->lastShown = shows;
-        for (Drawable& drawable : model->gpu->drawables)
-            (drawable.blended ? blended : opaque).push_back({&*model->gpu, &drawable});
+        addObjects(*model->gpu);
     }
     resolved = false;
 }

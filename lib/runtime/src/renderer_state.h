@@ -22,11 +22,16 @@ struct Model {
     std::uint64_t lastShown = 0; ///< By State::shows.
 };
 
-/// A drawable of one of the models that are shown.
-struct Placed {
-    const GpuScene* scene;
-    Drawable* drawable;
-    const GpuMaterial& material() const { return scene->materials[drawable->material]; }
+/// A drawable of a model that is shown: all that a frame reads of it, in one place.
+struct Object {
+    ObjectBlock block;
+    std::uint64_t serial = 0; ///< Of the block.
+    Bounds bounds;
+    const GpuMesh* mesh;
+    const GpuMaterial* material;
+    unsigned order; ///< By model, material and mesh.
+    bool mirrored, doubleSided;
+    bool visible = false;
 };
 
 /// What a renderer is made of. The member functions stand by their subject: renderer_models.cpp,
@@ -40,6 +45,7 @@ struct Renderer::State {
     Result<void> makeResident(Model& model);
     bool evictOne();
     void setShown(std::vector<Model*> models);
+    void addObjects(const GpuScene& scene);
 
     Result<void> resolvePrograms(const DrawTarget* target);
     Result<ProgramHandle> resolve(const Result<Permutation>& permutation, const DrawState& state,
@@ -50,9 +56,12 @@ struct Renderer::State {
 
     void updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target);
     void findVisible(const Viewpoint& viewpoint);
+    bool place(Object& object, const Frustum& frustum, const glm::dmat4& viewProjection);
     void beginFrame(const DrawTarget& target);
     void use(ShaderProgram& program, const BlockViews& blocks);
-    void drawOne(const Placed& placed);
+    void drawOpaque();
+    void bind(const GpuMaterial& material);
+    void drawOne(const Object& object);
     void drawBlended();
 
     Result<void> uploadBackdrop(const SkyCube& cube);
@@ -77,9 +86,10 @@ struct Renderer::State {
     unsigned lastId = 0;
     std::uint64_t shows = 0;
 
-    std::vector<Placed> opaque, blended;               ///< Of all that is shown.
-    std::vector<Placed> visibleOpaque, visibleBlended; ///< In the order in which they are drawn.
-    std::optional<glm::dmat4> seenFrom;                ///< What `visible…` were found with.
+    std::vector<Object> opaque, blended;    ///< Of all that is shown; `opaque` in its order of drawing.
+    std::vector<const Object*> backToFront; ///< Those of `blended` that are visible.
+    std::optional<glm::dmat4> seenFrom;     ///< What objects were placed with.
+    std::size_t drawn = 0;                  ///< How many are visible.
 
     GlTexture sky;
     MemoryLease skyMemory;
@@ -93,7 +103,7 @@ struct Renderer::State {
     bool resolved = false; ///< No program is missing, and none stands in for another.
     UniformBlock<FrameBlock> frame;
     UniformBlock<LightsBlock> lights;
-    const GpuMaterial* boundMaterial = nullptr; ///< Whose textures are bound; null: unknown.
+    const GpuMaterial* boundMaterial = nullptr; ///< Whose program and textures are bound; null: unknown.
 };
 
 } // namespace franken

@@ -8,9 +8,9 @@
 
 namespace franken {
 
-std::uint64_t newSerial() {
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
+std::uint64_t newSerials(std::uint64_t count) {
+    static std::atomic<std::uint64_t> next{1};
+    return next.fetch_add(count);
 }
 
 ShaderProgram::ShaderProgram(const Gl& gl, GlProgram program, Interface interface)
@@ -34,13 +34,17 @@ void ShaderProgram::addSlot(const Uniform& uniform) {
 }
 
 void ShaderProgram::feed(const BlockViews& blocks) {
-    for (std::size_t block = 0; block < blocks.size(); ++block) {
-        if (m_seen[block] == blocks[block].serial)
-            continue;
-        m_seen[block] = blocks[block].serial;
-        for (const Slot& slot : m_slots[block])
-            upload(slot, blocks[block].values + slot.offset);
-    }
+    for (std::size_t block = 0; block < blocks.size(); ++block)
+        feed(static_cast<Block>(block), blocks[block]);
+}
+
+void ShaderProgram::feed(Block block, const BlockView& view) {
+    const auto index = static_cast<std::size_t>(block);
+    if (view.values == nullptr || m_seen[index] == view.serial)
+        return;
+    m_seen[index] = view.serial;
+    for (const Slot& slot : m_slots[index])
+        upload(slot, view.values + slot.offset);
 }
 
 void ShaderProgram::upload(const Slot& slot, const float* values) const {

@@ -23,8 +23,10 @@ public:
     /// Bit n: the program reads the attribute at location n.
     unsigned attributes() const { return m_attributes; }
 
-    /// Uploads the blocks that it has not seen. The program must be in use.
+    /// Uploads the blocks that it has not seen; one without values is left as it was. The program must be in
+    /// use.
     void feed(const BlockViews& blocks);
+    void feed(Block block, const BlockView& view);
 
     /// After a lost context: gives its name up without deleting it. It cannot be used any more.
     void abandon() { m_program.release(); }

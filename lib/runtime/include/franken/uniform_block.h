@@ -10,8 +10,11 @@
 
 namespace franken {
 
-/// A number that this process has not handed out before; never 0. Safe on any thread.
-std::uint64_t newSerial();
+/// The first of `count` consecutive numbers that this process has not handed out before; never 0. Safe on any
+/// thread.
+std::uint64_t newSerials(std::uint64_t count);
+
+inline std::uint64_t newSerial() { return newSerials(1); }
 
 /// The values of one block of uniforms, and the serial of that state of them.
 struct BlockView {
