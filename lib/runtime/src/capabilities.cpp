@@ -26,6 +26,7 @@ bool contains(std::string_view list, std::string_view word) {
 
 Capabilities Capabilities::query(const Gl& gl) {
     const std::string_view version = textOf(gl, GL_VERSION);
+    const std::string_view renderer = textOf(gl, GL_RENDERER);
     const std::string_view extensions = textOf(gl, GL_EXTENSIONS);
     // Desktop GL and GLES3 have in their core what GLES2 has as extensions.
     const bool core = !version.starts_with("OpenGL ES 2");
@@ -34,7 +35,8 @@ Capabilities Capabilities::query(const Gl& gl) {
     return {.maxTextureSize = size,
             .anyTextureSize = core || contains(extensions, "GL_OES_texture_npot"),
             .wideIndices = core || contains(extensions, "GL_OES_element_index_uint"),
-            .parallelCompile = contains(extensions, "GL_KHR_parallel_shader_compile")};
+            .parallelCompile = contains(extensions, "GL_KHR_parallel_shader_compile"),
+            .compilesForStaleTextures = renderer.starts_with("VC4") || renderer.starts_with("V3D")};
 }
 
 } // namespace franken

@@ -38,8 +38,8 @@ LightsBlock lightFromTheEye() {
 
 } // namespace
 
-ProgramProbe::ProgramProbe(const Gl& gl, const Capabilities& capabilities, Log log)
-    : m_gl(&gl), m_log(std::move(log)), m_state(gl), m_capabilities(capabilities) {
+ProgramProbe::ProgramProbe(const Gl& gl, const Capabilities& capabilities, TextureReset& reset, Log log)
+    : m_gl(&gl), m_reset(&reset), m_log(std::move(log)), m_state(gl), m_capabilities(capabilities) {
     m_frame.edit() = {.cameraPosition = {0, 0, 2},
                       .clipToSky = kIdentity3,
                       .skyRange = 1,
@@ -103,13 +103,15 @@ ProgramProbe::Pixels ProgramProbe::read(std::size_t count) const {
 void ProgramProbe::drawOne(const Draw& draw, GLint x) {
     const GpuMesh& mesh = triangle();
     bindTextures(draw);
+    m_state.setBlending(draw.state->blend);
+    m_state.setDepthWrites(!draw.state->blend);
+    m_gl->Viewport(x, 0, 1, 1);
+    m_reset->invalidate();
+    m_reset->prepareFor(m_state, *draw.program);
     m_material.edit() = packMaterial({.alphaCutoff = 0}, draw.permutation->brdf, 1);
     m_state.useProgram(draw.program->name());
     draw.program->feed({m_frame.view(), m_lights.view(), m_material.view(), m_object.view()});
     m_state.enableArrays(draw.program->attributes());
-    m_state.setBlending(draw.state->blend);
-    m_state.setDepthWrites(!draw.state->blend);
-    m_gl->Viewport(x, 0, 1, 1);
     mesh.draw(*m_gl, m_state, draw.program->attributes(), {0, 1});
 }
 

@@ -8,6 +8,7 @@
 #include "franken/program_cache.h"
 #include "gpu_mesh.h"
 #include "gpu_texture.h"
+#include "texture_reset.h"
 
 #include <map>
 #include <optional>
@@ -26,8 +27,8 @@ public:
         const DrawState* state;
     };
 
-    /// The table must outlive it. GL objects are made when they are needed first.
-    ProgramProbe(const Gl& gl, const Capabilities& capabilities, Log log);
+    /// The table and the reset must outlive it. GL objects are made when they are needed first.
+    ProgramProbe(const Gl& gl, const Capabilities& capabilities, TextureReset& reset, Log log);
 
     /// Draws all of them, side by side, and says of each whether its pixel changed. Without a target: into
     /// one of its own. The target's contents are undefined afterwards.
@@ -47,6 +48,7 @@ private:
     void drawOne(const Draw& draw, GLint x);
 
     const Gl* m_gl;
+    TextureReset* m_reset;
     Log m_log;
     GlState m_state;
     Capabilities m_capabilities;

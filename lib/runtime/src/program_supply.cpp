@@ -3,6 +3,7 @@
 
 #include "franken/generator/ladder.h"
 #include "program_probe.h"
+#include "texture_reset.h"
 
 #include <algorithm>
 #include <chrono>
@@ -44,8 +45,23 @@ using Clock = std::chrono::steady_clock;
 ProgramSupply::ProgramSupply(const Gl& gl, const Capabilities& capabilities, Log log, std::size_t capacity)
     : m_gl(&gl),
       m_log(std::move(log)),
-      m_cache(gl, {.capacity = capacity, .parallelCompile = capabilities.parallelCompile, .log = m_log}),
-      m_probe(std::make_unique<ProgramProbe>(gl, capabilities, m_log)) {}
+      m_cache(gl, {.capacity = capacity, .parallelCompile = capabilities.parallelCompile, .log = m_log}) {
+    makeParts(capabilities);
+}
+
+void ProgramSupply::makeParts(const Capabilities& capabilities) {
+    m_needsReset = capabilities.compilesForStaleTextures;
+    m_reset = std::make_unique<TextureReset>(*m_gl);
+    m_probe = std::make_unique<ProgramProbe>(*m_gl, capabilities, *m_reset, m_log);
+}
+
+// Where it fails, programs without textures are compiled more often, and that is all.
+void ProgramSupply::makeReset() {
+    if (!m_needsReset || m_reset->hasProgram())
+        return;
+    if (Result<ProgramHandle> program = m_cache.get(resetPermutation()))
+        m_reset->setProgram(*std::move(program));
+}
 
 ProgramSupply::~ProgramSupply() = default;
 
@@ -65,12 +81,12 @@ void ProgramSupply::abandon() {
     m_cache.abandon();
     m_proved.clear();
     m_lastRungs.clear();
-    m_probe = std::make_unique<ProgramProbe>(*m_gl, Capabilities{}, m_log);
+    makeParts(Capabilities{});
 }
 
 void ProgramSupply::setCapabilities(const Capabilities& capabilities) {
     m_cache.setParallelCompile(capabilities.parallelCompile);
-    m_probe = std::make_unique<ProgramProbe>(*m_gl, capabilities, m_log);
+    makeParts(capabilities);
 }
 
 bool ProgramSupply::isProved(const ProgramUse& use, const ProgramHandle& program) const {
@@ -151,6 +167,7 @@ std::vector<bool> ProgramSupply::prove(std::span<const ProgramUse> uses,
     std::vector<ProgramProbe::Draw> draws;
     for (std::size_t i = 0; i < uses.size(); ++i)
         draws.push_back({&uses[i].permutation, programs[i].get(), &uses[i].state});
+    makeReset();
     const std::vector<bool> drawn = m_probe->draw(draws, target);
     for (std::size_t i = 0; i < uses.size(); ++i)
         if (drawn[i]) {

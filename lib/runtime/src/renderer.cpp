@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "renderer_state.h"
+#include "texture_reset.h"
 
 #include <algorithm>
 
@@ -68,7 +69,10 @@ Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target
     return resolved;
 }
 
-void Renderer::invalidateState() { m_state->glState.invalidate(); }
+void Renderer::invalidateState() {
+    m_state->glState.invalidate();
+    m_state->programs.textureReset().invalidate();
+}
 
 FrameCounters Renderer::frameCounters() const {
     const std::size_t all = m_state->opaque.size() + m_state->blended.size();

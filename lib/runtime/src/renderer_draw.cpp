@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "object_block.h"
 #include "renderer_state.h"
+#include "texture_reset.h"
 
 #include <algorithm>
 #include <tuple>
@@ -10,7 +11,8 @@ namespace franken {
 void Renderer::State::sortOpaque() {
     const auto order = [](const Object& object) {
         const ProgramHandle& program = object.material->program;
-        return std::tuple(program ? program->name() : 0, object.order);
+        const bool samples = program && !program->interface().samplers.empty();
+        return std::tuple(samples, program ? program->name() : 0, object.order);
     };
     std::sort(opaque.begin(), opaque.end(),
               [&](const Object& a, const Object& b) { return order(a) < order(b); });
@@ -75,6 +77,7 @@ void Renderer::State::beginFrame(const DrawTarget& target) {
 }
 
 void Renderer::State::use(ShaderProgram& program, const BlockViews& blocks) {
+    programs.textureReset().prepareFor(glState, program);
     glState.useProgram(program.name());
     program.feed(blocks);
     glState.enableArrays(program.attributes());

@@ -13,6 +13,7 @@ struct Capabilities {
         false; ///< Repeat and mipmaps for sizes that are no powers of two: GL_OES_texture_npot.
     bool wideIndices = false;     ///< 32-bit indices: GL_OES_element_index_uint.
     bool parallelCompile = false; ///< It tells whether it is still compiling: GL_KHR_parallel_shader_compile.
+    bool compilesForStaleTextures = false; ///< Mesa's vc4 and v3d: see texture_reset.h.
 
     /// Asks the context. To be called once, not in a frame.
     static Capabilities query(const Gl& gl);

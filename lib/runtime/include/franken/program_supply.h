@@ -16,6 +16,7 @@
 namespace franken {
 
 class ProgramProbe;
+class TextureReset;
 
 /// A program that failed, and the one that is drawn with instead. The same thing happens wherever the driver
 /// is the same: `frankenshader dump` writes both programs from their names.
@@ -79,6 +80,9 @@ public:
     WarmUpReport warmUp(std::span<const ProgramUse> uses, const DrawTarget& target,
                         const WarmUpProgress& progress = {});
 
+    /// The library's own: what some drivers need before programs without textures.
+    TextureReset& textureReset() { return *m_reset; }
+
     std::vector<ProgramUse> takeMisses() { return std::exchange(m_misses, {}); }
     const std::vector<LadderStep>& steps() const { return m_steps; }
     const ProgramCounters& counters() const { return m_cache.counters(); }
@@ -105,10 +109,15 @@ private:
     std::vector<ProgramUse> warm(std::span<const ProgramUse> uses, const DrawTarget& target,
                                  const std::function<void()>& step);
 
+    void makeParts(const Capabilities& capabilities);
+    void makeReset();
+
     const Gl* m_gl;
     Log m_log;
     ProgramCache m_cache;
-    std::unique_ptr<ProgramProbe> m_probe; ///< Never null.
+    std::unique_ptr<TextureReset> m_reset; ///< Never null.
+    std::unique_ptr<ProgramProbe> m_probe; ///< Never null; refers to the one before.
+    bool m_needsReset = false;             ///< As Capabilities has it.
     std::map<Draw, std::weak_ptr<ShaderProgram>> m_proved;
     std::vector<ProgramHandle> m_lastRungs; ///< Held, so that something can always stand in.
     std::vector<ProgramUse> m_misses;
