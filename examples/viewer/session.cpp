@@ -19,6 +19,8 @@ std::optional<Failure> Session::readSky() {
     if (!sky)
         return Failure{sky.error(), ExitCode::Refused};
     m_sky = *std::move(sky);
+    if (m_options.skySun && !m_sky->sun)
+        m_log(LogLevel::Warning, "the sky has no sun that could be taken out, or was baked with it");
     return {};
 }
 
