@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The program `bake` as a shell sees it.
 #include "franken/baked_sky.h"
-
-#include <sys/wait.h>
+#include "support/shell.h"
 
 #include <array>
-#include <cstdlib>
-#include <fstream>
 
-#include <gtest/gtest.h>
-
-namespace franken {
+namespace franken::test {
 namespace {
 
 namespace fs = std::filesystem;
 
 class Bake : public testing::Test {
 protected:
-    void SetUp() override {
-        m_folder = fs::path(FRANKEN_BINARY_DIR) / "bake-test" /
-                   testing::UnitTest::GetInstance()->current_test_info()->name();
-        fs::remove_all(m_folder);
-        fs::create_directories(m_folder);
-    }
-
-    int run(const std::string& arguments) const {
-        const std::string command = "cd " + m_folder.string() + " && " BAKE " " + arguments + " >out 2>err";
-        return WEXITSTATUS(std::system(command.c_str()));
-    }
+    int run(const std::string& arguments) const { return runIn(m_folder, BAKE " " + arguments).code; }
 
     /// 64 x 32 texels of one radiance, (2, 1, 0.5), and one bright texel ahead, a bit up.
     void writeSky(const std::string& name) const {
@@ -41,7 +26,7 @@ protected:
         }
     }
 
-    fs::path m_folder;
+    const fs::path m_folder = emptyTestFolder();
 };
 
 TEST_F(Bake, MakesOfASkyWhatTheRuntimeReads) {
@@ -94,4 +79,4 @@ TEST_F(Bake, ExitCodesTellWhoseFaultItIs) {
 }
 
 } // namespace
-} // namespace franken
+} // namespace franken::test

@@ -49,14 +49,14 @@ TEST_F(CliOutput, DumpsAManifest) {
                                             "sky+aces.shader_test",
                                             "manifest.json"};
     EXPECT_EQ(files, expected);
-    const json manifest = json::parse(read(path("shaders/made/here/manifest.json")));
+    const json manifest = json::parse(read("shaders/made/here/manifest.json"));
     ASSERT_EQ(manifest["programs"].size(), 2U) << "the third name is the first one again";
     const json& first = manifest["programs"][0];
     EXPECT_EQ(first["name"], "basecolor.normal+sun1");
     EXPECT_EQ(first["interface"]["attributes"][0]["name"], "aPosition");
     const std::string fragment = read(path("shaders/made/here") / first["fragment"].get<std::string>());
     EXPECT_EQ(fragment, run("dump basecolor.normal+sun1 --stage fragment").out);
-    const std::string test = read(path("shaders/made/here/basecolor.normal+sun1.shader_test"));
+    const std::string test = read("shaders/made/here/basecolor.normal+sun1.shader_test");
     EXPECT_NE(test.find("[fragment shader]\n" + fragment), std::string::npos);
     EXPECT_EQ(shell("printf 'sun1\\n' | " + std::string(kProgram) + " list --manifest -").out, "sun1\n");
 }
@@ -78,7 +78,7 @@ TEST_F(CliOutput, ANameTooLongForAFileBecomesAKey) {
         "decode-fast+reinhard+srgb-fast+dither+workaround-facing";
     ASSERT_GT(name.size(), 240U);
     EXPECT_EQ(run("dump " + name + " -o long").code, 0);
-    const json program = json::parse(read(path("long/manifest.json")))["programs"][0];
+    const json program = json::parse(read("long/manifest.json"))["programs"][0];
     EXPECT_EQ(program["vertex"], program["key"].get<std::string>() + ".vert");
     EXPECT_TRUE(fs::exists(path("long") / program["vertex"].get<std::string>()));
 }
@@ -140,7 +140,7 @@ TEST_F(CliOutput, PatchAppliesADiff) {
     const std::string a = "normal+sun1", b = "basecolor.normal.mask+sh+sun2+schlick+aces+dither";
     run("dump " + a + " " + b + " -o .");
     const std::string program = kProgram;
-    EXPECT_EQ(shell(program + " diff " + a + " " + b + " | patch -p0 --posix").code, 0) << read(path("out"));
+    EXPECT_EQ(shell(program + " diff " + a + " " + b + " | patch -p0 --posix").code, 0) << read("out");
     EXPECT_EQ(read(path(a + ".frag")), read(path(b + ".frag")));
     EXPECT_EQ(read(path(a + ".vert")), read(path(b + ".vert")));
 }

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gtest/gtest.h>
+#include "support/shell.h"
 
-#include <sys/wait.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 namespace fs = std::filesystem;
-
-inline std::string read(const fs::path& path) {
-    std::ostringstream text;
-    text << std::ifstream(path, std::ios::binary).rdbuf();
-    return text.str();
-}
+using franken::test::Outcome;
 
 inline std::set<std::string> linesOf(const std::string& text) {
     std::set<std::string> lines;
@@ -27,34 +16,17 @@ inline std::set<std::string> linesOf(const std::string& text) {
     return lines;
 }
 
-/// What a command left behind.
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-
 /// Runs the real program, in a directory of its own.
 class Cli : public testing::Test {
 protected:
-    void SetUp() override {
-        std::string pattern = (fs::temp_directory_path() / "cli_test.XXXXXX").string();
-        ASSERT_TRUE(mkdtemp(pattern.data()));
-        m_directory = pattern;
-    }
-    void TearDown() override { fs::remove_all(m_directory); }
-
     fs::path path(const std::string& name) const { return m_directory / name; }
+    std::string read(const std::string& name) const { return franken::test::readText(path(name)); }
 
-    // In a shell, so that a test can redirect and set variables.
-    Outcome shell(const std::string& command) const {
-        const std::string line = "cd '" + m_directory.string() + "' && { " + command + " ; } >out 2>err";
-        const int status = std::system(line.c_str());
-        return {WEXITSTATUS(status), read(path("out")), read(path("err"))};
-    }
+    Outcome shell(const std::string& command) const { return franken::test::runIn(m_directory, command); }
     Outcome run(const std::string& arguments) const { return shell(kProgram + (" " + arguments)); }
 
     void writeManifest(const std::string& text) const { std::ofstream(path("warm.txt")) << text; }
 
     static constexpr const char* kProgram = FRANKEN_BINARY_DIR "/bin/frankenshader";
-    fs::path m_directory;
+    const fs::path m_directory = franken::test::emptyTestFolder();
 };

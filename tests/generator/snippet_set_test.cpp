@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Programs from snippets that are read from a folder.
 #include "franken/generator/compose.h"
+#include "support/shell.h"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <thread>
 
 namespace fs = std::filesystem;
@@ -17,18 +13,10 @@ namespace {
 class SnippetSetTest : public testing::Test {
 protected:
     void SetUp() override {
-        m_folder = fs::path(FRANKEN_BINARY_DIR) / "snippet-set-test" /
-                   testing::UnitTest::GetInstance()->current_test_info()->name();
-        fs::remove_all(m_folder);
-        fs::create_directories(m_folder.parent_path());
         fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", m_folder, fs::copy_options::recursive);
     }
 
-    std::string read(const std::string& name) const {
-        std::ostringstream text;
-        text << std::ifstream(m_folder / name).rdbuf();
-        return text.str();
-    }
+    std::string read(const std::string& name) const { return test::readText(m_folder / name); }
     void write(const std::string& name, const std::string& text) const {
         std::ofstream(m_folder / name) << text;
     }
@@ -39,7 +27,7 @@ protected:
 
     static Permutation permutation(const char* name) { return canonicalise(*parseName(name))->permutation; }
 
-    fs::path m_folder;
+    const fs::path m_folder = test::emptyTestFolder();
 };
 
 TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {

@@ -9,7 +9,7 @@ namespace franken::test {
 namespace {
 
 using platform::Backend;
-using Pixel = Image::Pixel;
+using Pixel = ReadBack::Pixel;
 
 constexpr Pixel kBlack = {0, 0, 0, 0};
 constexpr Pixel kGreen = {0, 255, 0, 255};
@@ -93,7 +93,7 @@ TEST_P(SurfaceTest, DrawsATriangleTheRightWayUp) {
     ASSERT_TRUE(program);
     gl().Clear(GL_COLOR_BUFFER_BIT);
     draw(gl(), GL_TRIANGLES, {-1, -1, 1, -1, -1, 1}); // The lower left half.
-    const Image image = readBack();
+    const ReadBack image = readBack();
     EXPECT_EQ(image.pixel(0, 63), (Pixel{64, 128, 255, 191}));
     EXPECT_EQ(image.pixel(20, 40), (Pixel{64, 128, 255, 191}));
     EXPECT_EQ(image.pixel(1, 0), kBlack);
@@ -122,7 +122,7 @@ TEST_P(SurfaceTest, SizesPointsInTheShader) {
     ASSERT_TRUE(program);
     gl().Clear(GL_COLOR_BUFFER_BIT);
     draw(gl(), GL_POINTS, {0, 0});
-    const Image image = readBack();
+    const ReadBack image = readBack();
     EXPECT_EQ(image.pixel(25, 25), (Pixel{0, 0, 0, 255})); // gl_PointCoord counts from the top left.
     EXPECT_EQ(image.pixel(38, 25), kRed);
     EXPECT_EQ(image.pixel(25, 38), kGreen);

@@ -70,7 +70,7 @@ TEST_P(DrawingTest, WhatLiesOutsideTheViewIsNotDrawn) {
     const Shot shot = {
         .scene = builder.scene, .camera = lookingAhead(), .lighting = lightingOf(builder.scene)};
     const std::unique_ptr<Renderer> renderer = warm(shot);
-    const Picture picture = toPicture(readBack());
+    const Picture picture = readBack();
     EXPECT_EQ(countCalls("DrawElements"), 1u + 2u)
         << "one that proves the program, the one in the middle, and one that is cut by the edge";
     EXPECT_EQ(renderer->frameCounters().drawn, 2u);
@@ -82,7 +82,7 @@ TEST_P(DrawingTest, WhatLiesOutsideTheViewIsNotDrawn) {
     ASSERT_TRUE(renderer->draw(viewpointOf(turned, 1), target()));
     EXPECT_EQ(countCalls("DrawElements"), 1u) << "the one behind";
     ASSERT_TRUE(renderer->draw(viewpointOf(shot.camera, 1), target()));
-    EXPECT_EQ(compareLit(toPicture(readBack()), picture).max(), 0);
+    EXPECT_EQ(compareLit(readBack(), picture).max(), 0);
 }
 
 TEST_P(DrawingTest, OrderIsByProgramMaterialAndMesh) {
@@ -150,32 +150,11 @@ TEST_P(DrawingTest, InvalidateStateBringsBackWhatAnEngineChanged) {
     ASSERT_TRUE(renderer.load(shot.scene));
     renderer.setLighting(shot.lighting);
     ASSERT_TRUE(renderer.draw(viewpointOf(shot.camera, 1), target()));
-    const Picture clean = toPicture(readBack());
-    for (const GLenum capability : {GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL})
-        gl().Enable(capability);
-    gl().Disable(GL_DEPTH_TEST);
-    gl().Scissor(0, 0, 3, 3);
-    gl().ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
-    gl().DepthMask(GL_FALSE);
-    gl().DepthFunc(GL_NEVER);
-    gl().CullFace(GL_FRONT);
-    gl().FrontFace(GL_CW);
-    gl().BlendEquation(GL_FUNC_REVERSE_SUBTRACT);
-    gl().BlendFunc(GL_ONE, GL_ONE);
-    gl().ClearColor(1, 1, 1, 1);
-    gl().UseProgram(0);
-    for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})
-        gl().BindBuffer(target, 0);
-    for (GLuint location = 0; location < 8; ++location)
-        location < 4 ? gl().DisableVertexAttribArray(location) : gl().EnableVertexAttribArray(location);
-    for (GLenum unit = 0; unit < 8; ++unit) {
-        gl().ActiveTexture(GL_TEXTURE0 + unit);
-        gl().BindTexture(GL_TEXTURE_2D, 0);
-    }
-    gl().Viewport(1, 2, 3, 4);
+    const Picture clean = readBack();
+    disturbState(gl());
     renderer.invalidateState();
     ASSERT_TRUE(renderer.draw(viewpointOf(shot.camera, 1), target()));
-    EXPECT_EQ(compareLit(toPicture(readBack()), clean).max(), 0);
+    EXPECT_EQ(compareLit(readBack(), clean).max(), 0);
 }
 
 } // namespace

@@ -35,9 +35,9 @@ Primitive makeSphere(int segments, int rings) {
 }
 
 /// Soft waves, so that no texel stands out.
-franken::Image makeWaves() {
+Image makeWaves() {
     constexpr int kSize = 128;
-    franken::Image image{"waves", kSize, kSize, {}};
+    Image image{"waves", kSize, kSize, {}};
     for (int y = 0; y < kSize; ++y)
         for (int x = 0; x < kSize; ++x) {
             const float phase = 12 * glm::pi<float>() / kSize;

@@ -79,18 +79,7 @@ TEST_P(RendererTest, FramesAreTheSameWhateverGlWasLeftAt) {
     material.baseColor.a = 0.5f;
     const Shot shot = ballShot(material);
     const Picture clean = draw(shot);
-    gl().Enable(GL_SCISSOR_TEST);
-    gl().Scissor(0, 0, 3, 3);
-    gl().ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
-    gl().DepthMask(GL_FALSE);
-    gl().DepthFunc(GL_NEVER);
-    gl().CullFace(GL_FRONT);
-    gl().FrontFace(GL_CW);
-    gl().BlendEquation(GL_FUNC_REVERSE_SUBTRACT);
-    gl().BlendFunc(GL_ONE, GL_ONE);
-    gl().Viewport(1, 2, 3, 4);
-    for (GLuint location = 0; location < 8; ++location)
-        gl().EnableVertexAttribArray(location);
+    disturbState(gl());
     EXPECT_EQ(compareLit(draw(shot), clean).max(), 0);
 }
 
@@ -122,7 +111,7 @@ TEST_P(RendererTest, ALargeMeshIsSplitWhereIndicesAreNarrow) {
     ASSERT_TRUE(renderer.load(shot.scene));
     renderer.setLighting(shot.lighting);
     ASSERT_TRUE(renderer.draw(viewpointOf(shot.camera, 1), {surface().framebuffer(), 64, 64}));
-    EXPECT_EQ(compareLit(toPicture(readBack()), wide).max(), 0);
+    EXPECT_EQ(compareLit(readBack(), wide).max(), 0);
 }
 
 } // namespace

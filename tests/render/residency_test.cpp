@@ -16,7 +16,7 @@ protected:
         camera.world[3] = glm::vec4(0, 0, 3, 1);
         const Result<void> result = renderer.draw(viewpointOf(camera, 1), target());
         EXPECT_TRUE(result) << toString(result.error());
-        return toPicture(readBack());
+        return readBack();
     }
 };
 

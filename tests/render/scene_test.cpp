@@ -109,7 +109,7 @@ void SceneTest::compareShot(const std::string& title, Shot shot, const Picture& 
     const Gl filtering = filteringGl(gl(), shot.scene);
     shot.look.decode = Decode::None; // The driver has done it.
     drawShot(filtering, surface(), shot);
-    const Picture filtered = toPicture(readBack());
+    const Picture filtered = readBack();
     const Difference blocks = compareLit(blockMeans(filtered), blockMeans(expected));
     std::cout << title << ", filtered alike, blocks: " << blocks << "\n";
     // Found: mean 0.26 (WaterBottle), 0.4 % above 6 (TextureSettingsTest, whose text is as fine as a pixel).

@@ -136,7 +136,7 @@ Picture SeedTest::drawAsThePageDoes(const Shot& shot, const std::filesystem::pat
     gl().Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     gl().DrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_SHORT, indices.data());
     EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
-    return toPicture(readBack());
+    return readBack();
 }
 
 TEST_P(SeedTest, DrawsTheSameImageAsTheSeedPage) {

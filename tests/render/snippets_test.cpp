@@ -2,9 +2,7 @@
 // Programs from snippets that are read while the program runs.
 #include "support/draw_scene.h"
 #include "support/shapes.h"
-
-#include <fstream>
-#include <sstream>
+#include "support/shell.h"
 
 namespace franken::test {
 namespace {
@@ -13,10 +11,7 @@ namespace fs = std::filesystem;
 
 /// A copy of the snippets in which `dark`, where the sum of all light begins, has one more line.
 Result<SnippetSet> snippetsWith(const std::string& line) {
-    const fs::path folder = fs::path(FRANKEN_BINARY_DIR) / "snippets-test" /
-                            testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(folder);
-    fs::create_directories(folder.parent_path());
+    const fs::path folder = emptyTestFolder();
     fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", folder, fs::copy_options::recursive);
     std::ofstream(folder / "fragment/dark.glsl", std::ios::app) << line << "\n";
     return SnippetSet::read(folder);

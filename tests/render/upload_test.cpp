@@ -48,7 +48,7 @@ TEST(Interleave, HoldsWhatThePrimitiveHas) {
 constexpr Capabilities kLeast = {.maxTextureSize = 64};
 
 TEST(FittedSize, IsOfPowersOfTwoOnlyWhereGles2AsksForIt) {
-    const franken::Image image{"", 33, 50, {}};
+    const Image image{"", 33, 50, {}};
     const Texture mipmapped{.image = 0};
     const Texture clamped{
         .image = 0, .wrapS = Wrap::ClampToEdge, .wrapT = Wrap::ClampToEdge, .minFilter = Filter::Linear};
@@ -59,24 +59,24 @@ TEST(FittedSize, IsOfPowersOfTwoOnlyWhereGles2AsksForIt) {
 }
 
 TEST(FittedSize, KeepsTheShapeOfWhatIsTooLarge) {
-    const franken::Image image{"", 256, 100, {}};
+    const Image image{"", 256, 100, {}};
     EXPECT_EQ(fittedSize(image, {}, {.maxTextureSize = 64, .anyTextureSize = true}), (TextureSize{64, 25}));
     EXPECT_EQ(fittedSize(image, {}, kLeast), (TextureSize{64, 32}));
 }
 
 TEST(Resampled, KeepsColoursAndSlopes) {
     const glm::vec4 color(0.2f, 0.4f, 0.6f, 0.8f);
-    const franken::Image plain = paint(10, [&](glm::vec2) { return color; });
+    const Image plain = paint(10, [&](glm::vec2) { return color; });
     EXPECT_EQ(resampled(plain, 16, 4).rgba, paint(8, [&](glm::vec2) { return color; }).rgba);
-    const franken::Image ramp = paint(32, [](glm::vec2 uv) { return glm::vec4(uv.x); });
-    const franken::Image half = resampled(ramp, 16, 16);
+    const Image ramp = paint(32, [](glm::vec2 uv) { return glm::vec4(uv.x); });
+    const Image half = resampled(ramp, 16, 16);
     for (std::size_t x = 1; x < 15; ++x)
         EXPECT_NEAR(half.rgba[4 * x], 255 * (static_cast<double>(x) + 0.5) / 16, 1.1) << x;
 }
 
 TEST(SrgbMipmaps, AverageLightNotCodes) {
-    const franken::Image fine = checkers(4, 4, glm::vec4(1), glm::vec4(0, 0, 0, 1));
-    const std::vector<franken::Image> levels = srgbMipmaps(fine);
+    const Image fine = checkers(4, 4, glm::vec4(1), glm::vec4(0, 0, 0, 1));
+    const std::vector<Image> levels = srgbMipmaps(fine);
     ASSERT_EQ(levels.size(), 2u);
     EXPECT_EQ(levels[0].width, 2);
     EXPECT_EQ(levels[1].width, 1);
@@ -89,7 +89,7 @@ TEST(SrgbMipmaps, AverageLightNotCodes) {
 TEST(SrgbMipmaps, KeepEveryCodeThatIsAlone) {
     for (int code = 0; code < 256; ++code) {
         const auto byte = static_cast<std::uint8_t>(code);
-        const franken::Image flat{
+        const Image flat{
             "", 3, 1, {byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte}};
         EXPECT_EQ(srgbMipmaps(flat)[0].rgba, (std::vector<std::uint8_t>{byte, byte, byte, byte})) << code;
     }

@@ -2,6 +2,7 @@
 // The viewer as a shell sees it.
 #include "franken/generator/permutation.h"
 #include "support/draw_scene.h"
+#include "support/shell.h"
 
 #include <signal.h>
 #include <sys/wait.h>
@@ -20,32 +21,11 @@ namespace fs = std::filesystem;
 
 constexpr const char* kUrn = URN_GLB;
 
-struct Outcome {
-    int code;
-    std::string out, err;
-};
-
-std::string readText(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-}
-
 class Viewer : public testing::Test {
 protected:
-    Outcome run(const std::string& arguments) {
-        const fs::path out = m_folder / "out.txt", err = m_folder / "err.txt";
-        const int status = std::system(("cd " + m_folder.string() + " && " VIEWER " " + arguments + " >" +
-                                        out.string() + " 2>" + err.string())
-                                           .c_str());
-        return {WEXITSTATUS(status), readText(out), readText(err)};
-    }
+    Outcome run(const std::string& arguments) { return runIn(m_folder, VIEWER " " + arguments); }
 
     void SetUp() override {
-        m_folder = fs::path(FRANKEN_BINARY_DIR) / "viewer-test" /
-                   testing::UnitTest::GetInstance()->current_test_info()->name();
-        fs::remove_all(m_folder);
-        fs::create_directories(m_folder);
         // OSMesa forgets a few hundred bytes with each context: for a viewer built with AddressSanitizer.
         const fs::path suppressions = m_folder / "leaks.txt";
         std::ofstream(suppressions) << "leak:libOSMesa\n";
@@ -54,7 +34,7 @@ protected:
         setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
     }
 
-    fs::path m_folder;
+    const fs::path m_folder = emptyTestFolder();
 };
 
 TEST_F(Viewer, DrawsTheSamePictureOnBothBackends) {

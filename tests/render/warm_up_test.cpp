@@ -97,14 +97,14 @@ TEST_P(WarmUpTest, OverTheBudgetASimplerProgramStandsIn) {
     Renderer renderer(gl());
     ASSERT_TRUE(kiosk.load(renderer));
     ASSERT_TRUE(kiosk.draw(renderer, 0, targets));
-    const Picture wanted = toPicture(readBack());
+    const Picture wanted = readBack();
 
     KioskFrames streaming;
     Renderer small(gl());
     ASSERT_TRUE(streaming.load(small));
     small.setCompileBudget(0);
     ASSERT_TRUE(streaming.draw(small, 0, targets));
-    const Picture standIn = toPicture(readBack());
+    const Picture standIn = readBack();
     EXPECT_EQ(small.programCounters().links, 1u) << "the last rung";
     EXPECT_GT(compareLit(standIn, wanted).max(), 10) << "something simpler";
     EXPECT_EQ(silhouetteOf(standIn), silhouetteOf(wanted)) << "of the same shape";
@@ -113,7 +113,7 @@ TEST_P(WarmUpTest, OverTheBudgetASimplerProgramStandsIn) {
     small.setCompileBudget(1);
     ASSERT_TRUE(streaming.draw(small, 1, targets));
     EXPECT_EQ(small.programCounters().links, 2u);
-    EXPECT_EQ(compareLit(toPicture(readBack()), wanted).max(), 0) << "its turn came";
+    EXPECT_EQ(compareLit(readBack(), wanted).max(), 0) << "its turn came";
 }
 
 TEST_P(WarmUpTest, ALostContextIsWarmedUpAgain) {

@@ -35,11 +35,34 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot) 
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-Picture toPicture(const test::Image& image) { return {"", image.width, image.height, image.rgba}; }
-
 Shot withForms(Shot shot, Target target) {
     shot.look.target = target;
     return shot;
+}
+
+void disturbState(const Gl& gl) {
+    for (const GLenum capability : {GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_POLYGON_OFFSET_FILL})
+        gl.Enable(capability);
+    gl.Disable(GL_DEPTH_TEST);
+    gl.Scissor(0, 0, 3, 3);
+    gl.ColorMask(GL_FALSE, GL_TRUE, GL_FALSE, GL_TRUE);
+    gl.DepthMask(GL_FALSE);
+    gl.DepthFunc(GL_NEVER);
+    gl.CullFace(GL_FRONT);
+    gl.FrontFace(GL_CW);
+    gl.BlendEquation(GL_FUNC_REVERSE_SUBTRACT);
+    gl.BlendFunc(GL_ONE, GL_ONE);
+    gl.ClearColor(1, 1, 1, 1);
+    gl.UseProgram(0);
+    for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})
+        gl.BindBuffer(target, 0);
+    for (GLuint location = 0; location < 8; ++location)
+        location < 4 ? gl.DisableVertexAttribArray(location) : gl.EnableVertexAttribArray(location);
+    for (GLenum unit = 0; unit < 8; ++unit) {
+        gl.ActiveTexture(GL_TEXTURE0 + unit);
+        gl.BindTexture(GL_TEXTURE_2D, 0);
+    }
+    gl.Viewport(1, 2, 3, 4);
 }
 
 Picture readPicture(const std::filesystem::path& file) {

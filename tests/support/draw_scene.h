@@ -29,8 +29,6 @@ Shot shotOf(const std::filesystem::path& file);
 /// an error.
 void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot);
 
-Picture toPicture(const test::Image& image);
-
 /// The forms of the text that any picture must look the same with: for any GPU, and what VideoCore IV runs
 /// best. A software rasteriser computes both to the last bit of a float; how inexact VideoCore IV is stands
 /// in tests/qpu/precision.
@@ -38,6 +36,11 @@ inline constexpr Target kForms[] = {Target::Generic, Target::Vc4};
 
 /// The shot, drawn with the forms for a GPU.
 Shot withForms(Shot shot, Target target);
+
+inline Picture toPicture(const ReadBack& image) { return image; }
+
+/// What an engine might leave GL at: everything that drawing depends on is another way round.
+void disturbState(const Gl& gl);
 
 /// A PNG or JPEG. Adds a failure where it does not load.
 Picture readPicture(const std::filesystem::path& file);
@@ -52,7 +55,7 @@ protected:
 
     Picture draw(const Shot& shot) {
         drawShot(gl(), surface(), shot);
-        return toPicture(readBack());
+        return readBack();
     }
 };
 

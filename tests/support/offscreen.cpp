@@ -12,7 +12,7 @@ extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; 
 
 namespace franken::test {
 
-Image::Pixel Image::pixel(int x, int y) const {
+ReadBack::Pixel ReadBack::pixel(int x, int y) const {
     const auto index =
         4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x));
     return {rgba.at(index), rgba.at(index + 1), rgba.at(index + 2), rgba.at(index + 3)};
@@ -32,10 +32,13 @@ Result<Offscreen> openOffscreen(platform::Backend backend, platform::Size size) 
     return Offscreen{*std::move(surface), *gl};
 }
 
-Image readBack(const Offscreen& offscreen) {
+ReadBack readBack(const Offscreen& offscreen) {
     const auto [width, height] = offscreen.surface->size();
     const auto rowBytes = 4 * static_cast<std::size_t>(width);
-    Image image{width, height, std::vector<std::uint8_t>(rowBytes * static_cast<std::size_t>(height))};
+    ReadBack image;
+    image.width = width;
+    image.height = height;
+    image.rgba.resize(rowBytes * static_cast<std::size_t>(height));
     offscreen.gl.BindFramebuffer(GL_FRAMEBUFFER, offscreen.surface->framebuffer());
     offscreen.gl.ReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
     const auto row = [&](int y) { return image.rgba.data() + rowBytes * static_cast<std::size_t>(y); };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/gl.h"
+#include "franken/image.h"
 #include "franken/platform/surface.h"
 
 #include <gtest/gtest.h>
@@ -15,12 +16,8 @@
 
 namespace franken::test {
 
-/// RGBA8 pixels, row 0 at the top, rows without padding.
-struct Image {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgba;
-
+/// What a target holds.
+struct ReadBack : Image {
     using Pixel = std::array<int, 4>;
     /// x from the left, y from the top.
     Pixel pixel(int x, int y) const;
@@ -37,7 +34,7 @@ struct Offscreen {
 Result<Offscreen> openOffscreen(platform::Backend backend, platform::Size size);
 
 /// What the target holds, as GL returns it (alpha included). The surface must be current.
-Image readBack(const Offscreen& offscreen);
+ReadBack readBack(const Offscreen& offscreen);
 
 /// A test that runs on every backend. It is skipped where the backend is not installed, and fails where it
 /// does not work.
@@ -54,7 +51,7 @@ protected:
     platform::Surface& surface() { return *m_offscreen.surface; }
     /// Destroys the context and makes another one, which is current. Its table may be another one.
     void replaceContext(platform::Size size);
-    Image readBack() const { return test::readBack(m_offscreen); }
+    ReadBack readBack() const { return test::readBack(m_offscreen); }
 
 private:
     platform::Size m_size;

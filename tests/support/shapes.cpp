@@ -61,8 +61,8 @@ Primitive square() {
     return primitive;
 }
 
-franken::Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color) {
-    franken::Image image{"painted", size, size, {}};
+Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color) {
+    Image image{"painted", size, size, {}};
     for (int y = 0; y < size; ++y)
         for (int x = 0; x < size; ++x) {
             const glm::vec4 texel = color((glm::vec2(x, y) + 0.5f) / static_cast<float>(size));
@@ -72,14 +72,14 @@ franken::Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color)
     return image;
 }
 
-franken::Image checkers(int size, int count, const glm::vec4& even, const glm::vec4& odd) {
+Image checkers(int size, int count, const glm::vec4& even, const glm::vec4& odd) {
     return paint(size, [&](glm::vec2 uv) {
         const glm::vec2 square = uv * static_cast<float>(count);
         return (static_cast<int>(square.x) + static_cast<int>(square.y)) % 2 == 0 ? even : odd;
     });
 }
 
-franken::Image bumps(int size, int count) {
+Image bumps(int size, int count) {
     return paint(size, [&](glm::vec2 uv) {
         const glm::vec2 place = glm::fract(uv * static_cast<float>(count)) * 2.0f - 1.0f;
         const float height2 = 1 - glm::dot(place, place);
@@ -90,7 +90,7 @@ franken::Image bumps(int size, int count) {
     });
 }
 
-int SceneBuilder::addTexture(franken::Image image, Filter minFilter, Wrap wrap) {
+int SceneBuilder::addTexture(Image image, Filter minFilter, Wrap wrap) {
     scene.images.push_back(std::move(image));
     scene.textures.push_back({.image = static_cast<int>(scene.images.size()) - 1,
                               .wrapS = wrap,

@@ -15,19 +15,18 @@ Primitive sphere(int rings);
 Primitive square();
 
 /// A picture of that size, from texture coordinates (0 to 1, v down) to 0..1.
-franken::Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color);
+Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color);
 
 /// Squares of two colours, so many along each side.
-franken::Image checkers(int size, int count, const glm::vec4& even, const glm::vec4& odd);
+Image checkers(int size, int count, const glm::vec4& even, const glm::vec4& odd);
 
 /// A normal map of round bumps, so many along each side.
-franken::Image bumps(int size, int count);
+Image bumps(int size, int count);
 
 /// Puts things into a scene that begins empty.
 class SceneBuilder {
 public:
-    int addTexture(franken::Image image, Filter minFilter = Filter::LinearMipmapLinear,
-                   Wrap wrap = Wrap::Repeat);
+    int addTexture(Image image, Filter minFilter = Filter::LinearMipmapLinear, Wrap wrap = Wrap::Repeat);
     int addMaterial(const Material& material);
     /// The primitive with that material, in a mesh and an instance of its own.
     void add(Primitive primitive, int material, const glm::mat4& world = glm::mat4(1));
