@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "backends.h"
 
+#include <cstdlib>
+
 namespace franken::platform {
 
 namespace {
@@ -81,6 +83,9 @@ Result<Backend> parseBackend(std::string_view text) {
 Result<std::unique_ptr<Surface>> create(Backend backend, const SurfaceOptions& options) {
     if (Result<void> valid = check(options); !valid)
         return valid.error();
+    constexpr int kKeep = 0;
+    if (!options.shaderCache.empty())
+        setenv("MESA_SHADER_CACHE_DIR", options.shaderCache.c_str(), kKeep);
     Result<std::unique_ptr<Surface>> surface = rowOf(backend).create(options);
     if (surface && options.log)
         options.log(LogLevel::Info, std::string(toString(backend)) + ": " + (*surface)->driver());

@@ -220,6 +220,17 @@ TEST(SurfaceOptions, OutOfRangeAreRefusedByName) {
         }
 }
 
+TEST(SurfaceOptions, TheShaderCacheGoesToMesaUnlessTheEnvironmentHasOne) {
+    unsetenv("MESA_SHADER_CACHE_DIR");
+    (void)openOffscreen(Backend::OsMesa, {1, 1}); // With the tests' rasteriser.
+    EXPECT_EQ(std::getenv("MESA_SHADER_CACHE_DIR"), nullptr);
+    for (const char* folder : {"/var/cache/kiosk", "/elsewhere"}) {
+        (void)platform::create(Backend::OsMesa, {.size = {1, 1}, .shaderCache = folder});
+        EXPECT_STREQ(std::getenv("MESA_SHADER_CACHE_DIR"), "/var/cache/kiosk");
+    }
+    unsetenv("MESA_SHADER_CACHE_DIR");
+}
+
 TEST(BackendNames, GoThereAndBack) {
     for (const Backend backend : {Backend::OsMesa, Backend::EglSurfaceless})
         EXPECT_EQ(platform::parseBackend(platform::toString(backend)).value(), backend);

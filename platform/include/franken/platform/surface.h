@@ -104,6 +104,12 @@ struct SurfaceOptions {
     bool srgb = false;      ///< A target that encodes, where the driver has one: see srgbTarget().
     int depthBits = 24;     ///< At least so many, 0 to 32; 0 where no depth buffer is needed.
     Log log = {};           ///< Told which driver was found.
+
+    /// A folder where Mesa keeps compiled programs from one start to the next (v3d does, vc4 cannot); empty:
+    /// in ~/.cache. For a kiosk whose home cannot be written, or is not kept. Goes to MESA_SHADER_CACHE_DIR,
+    /// unless the environment has that already. It is set for the process, and counts where the driver's
+    /// first context is made: set it in the first create(), before other threads run.
+    std::string shaderCache = {};
 };
 
 /// "osmesa" or "egl".
