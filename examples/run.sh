@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: MIT
 # examples/run.sh [MODEL.gltf|MODEL.glb]: from nothing to a picture, on a machine without a GPU. Installs
 # what is missing, builds, prints the shader that this library is named after, and renders a model of our
-# own under a sky of our own, and one by others (or MODEL).
+# own under a sky of our own, and one by others (or MODEL). Exit codes: those of the viewer.
 set -eu
+[ $# -le 1 ] || { echo "usage: examples/run.sh [MODEL.gltf|MODEL.glb]" >&2; exit 2; }
+[ $# = 0 ] || [ -f "$1" ] || { echo "examples/run.sh: $1: no such file" >&2; exit 3; }
 root=$(cd "$(dirname "$0")/.." && pwd)
 bin=$root/build/release/bin
 out=$root/out
-model=${1:-/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb}
+model=$(realpath -m -- "${1:-/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb}")
 
 "$root/toolchains/install-packages.sh" build
 cd "$root"
