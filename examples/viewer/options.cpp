@@ -146,6 +146,18 @@ void addScene(CLI::App& app, Options& options) {
         ->type_name("R,G,B");
 }
 
+void addHeights(CLI::App& app, Options& options) {
+    app.add_option(
+           "--height-map", options.heightMap,
+           "Moves the vertices of all materials along their normals by this PNG or JPEG; mid-grey stays")
+        ->type_name("FILE");
+    app.add_option_function<std::string>(
+           "--height-scale",
+           [&options](const std::string& text) { options.heightScale = toNumber("--height-scale", text); },
+           "How far white lies above black, in the model's unit [0.1]")
+        ->type_name("LENGTH");
+}
+
 void addLook(CLI::App& app, Look& look) {
     addChoice<ToneMap>(app, "--tone-map", look.toneMap, "The tone map",
                        {{"none", ToneMap::None},
@@ -181,6 +193,7 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     CLI::App app(kAbout, "viewer");
     app.footer(kFooter);
     addScene(app, options);
+    addHeights(app, options);
     addTarget(app, options);
     addLook(app, options.look);
     try {

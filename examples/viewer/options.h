@@ -22,6 +22,9 @@ struct Options {
     bool watch = false;
     std::filesystem::path snippets; ///< A folder; empty for those that are built in.
 
+    std::filesystem::path heightMap; ///< Empty for none.
+    float heightScale = 0.1f;        ///< From black to white, in the model's unit.
+
     std::string camera; ///< A name or an index; empty for the first.
     std::vector<franken::Sun> suns;
     std::optional<franken::Float3> ambient;

@@ -31,6 +31,8 @@ std::optional<Failure> Session::readSubject(Subject& subject) {
     if (!scene)
         return Failure{scene.error(), ExitCode::Refused};
     subject.scene = *std::move(scene);
+    if (Result<void> displaced = applyHeights(subject.scene, m_options); !displaced)
+        return Failure{displaced.error(), ExitCode::Refused};
     subject.sky = m_sky;
     const Result<Camera> camera = chooseCamera(subject.scene, m_options);
     if (!camera)

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "setup.h"
 
+#include "franken/displacement.h"
+
 #include <charconv>
+#include <fstream>
+#include <iterator>
 
 using namespace franken;
 
@@ -36,6 +40,20 @@ Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
     if (error == std::errc() && end == last && index < scene.cameras.size())
         return scene.cameras[index];
     return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
+}
+
+Result<void> applyHeights(Scene& scene, const Options& options) {
+    if (options.heightMap.empty())
+        return {};
+    std::ifstream file(options.heightMap, std::ios::binary);
+    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
+    if (bytes.empty())
+        return Error{"viewer.heights", options.heightMap.string(), "the height map cannot be read",
+                     "name a PNG or a JPEG"};
+    Result<Image> image = decodeImage(bytes);
+    if (!image)
+        return image.error();
+    return displace(scene, {.image = *std::move(image), .scale = options.heightScale, .ground = 0.5f});
 }
 
 Result<Lighting> chooseLighting(const Scene& scene, const std::optional<BakedSky>& sky,

@@ -13,6 +13,10 @@
 /// "viewer.camera".
 franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const Options& options);
 
+/// Moves the scene's vertices by the options' height map, if there is one. Fails with "viewer.heights" where
+/// it cannot be read, and as decodeImage() and displace() do.
+franken::Result<void> applyHeights(franken::Scene& scene, const Options& options);
+
 /// The lights of the file and of the options, and what they come down to where there is neither.
 franken::Result<franken::Lighting> chooseLighting(const franken::Scene& scene,
                                                   const std::optional<franken::BakedSky>& sky,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "picture_scenes.h"
 
+#include "franken/displacement.h"
 #include "support/shapes.h"
 
 #include <glm/geometric.hpp>
@@ -336,6 +337,13 @@ Shot background() {
     return shot;
 }
 
+Shot displaced() {
+    Shot shot = bumpy();
+    const auto waves = [](glm::vec2 uv) { return glm::vec4(0.5f - 0.5f * std::cos(31.415927f * uv.x)); };
+    EXPECT_TRUE(displace(shot.scene, {.image = paint(64, waves), .scale = 0.3f, .ground = 1}));
+    return shot;
+}
+
 } // namespace
 
 std::vector<PictureRow> pictureRows() {
@@ -380,6 +388,7 @@ std::vector<PictureRow> pictureRows() {
         {"vertex_light", perVertex},
         {"wraps_and_filters", wrapsAndFilters},
         {"background", background},
+        {"height_map", displaced},
     };
 }
 

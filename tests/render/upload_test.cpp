@@ -86,6 +86,17 @@ TEST(SrgbMipmaps, AverageLightNotCodes) {
     EXPECT_EQ(levels[1].rgba[0], 188);
 }
 
+TEST(SrgbMipmaps, OddSizesLeaveNothingOut) {
+    franken::Image row{"", 5, 1, std::vector<std::uint8_t>(20, 0)};
+    row.rgba[16] = row.rgba[19] = 255; // The last pixel is red.
+    const std::vector<franken::Image> levels = srgbMipmaps(row);
+    ASSERT_EQ(levels.size(), 2u);
+    ASSERT_EQ(levels[0].width, 2);
+    EXPECT_EQ(levels[0].rgba[0], 0);
+    EXPECT_EQ(levels[0].rgba[4], 170); // 2 / 5 of the light of the right half's 2.5 pixels.
+    EXPECT_EQ(levels[1].rgba[0], 124); // A fifth of the whole row's.
+}
+
 TEST(SrgbMipmaps, KeepEveryCodeThatIsAlone) {
     for (int code = 0; code < 256; ++code) {
         const auto byte = static_cast<std::uint8_t>(code);

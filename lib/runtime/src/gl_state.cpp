@@ -6,8 +6,6 @@
 namespace franken {
 namespace {
 
-constexpr unsigned kArrays = 8;
-
 /// Notes the value; whether it was another one.
 template<typename Known, typename Value>
 bool changes(Known& known, const Value& value) {
@@ -26,7 +24,7 @@ void GlState::begin() {
                                     GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE})
         m_gl->Disable(capability);
     m_gl->DepthFunc(GL_LEQUAL);
-    m_gl->DepthRangef(0, 1);
+    setDepthRange(0, 1);
     m_gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     m_gl->CullFace(GL_BACK);
     m_gl->BlendEquation(GL_FUNC_ADD);
@@ -47,6 +45,11 @@ void GlState::setCapability(std::optional<bool>& known, GLenum capability, bool 
 void GlState::setDepthWrites(bool on) {
     if (changes(m_depthWrites, on))
         m_gl->DepthMask(on ? GL_TRUE : GL_FALSE);
+}
+
+void GlState::setDepthRange(float near, float far) {
+    if (changes(m_depthRange, std::array{near, far}))
+        m_gl->DepthRangef(near, far);
 }
 
 void GlState::setFrontFace(GLenum winding) {
@@ -91,7 +94,16 @@ void GlState::enableArrays(unsigned locations) {
 }
 
 bool GlState::changesPointers(GLuint buffer, unsigned layout) {
-    return changes(m_pointers, Pointers{buffer, layout});
+    return changes(m_layout, Of<unsigned>{buffer, layout});
+}
+
+void GlState::setPointer(GLuint location, const Pointer& pointer) {
+    if (!changes(m_pointers[location], Of<Pointer>{m_vertices, pointer}))
+        return;
+    const auto offset = static_cast<std::uintptr_t>(pointer.offset); // In place of an address.
+    m_gl->VertexAttribPointer(location, pointer.size, pointer.type,
+                              pointer.type == GL_FLOAT ? GL_FALSE : GL_TRUE, pointer.stride,
+                              reinterpret_cast<const void*>(offset)); // NOLINT(performance-no-int-to-ptr)
 }
 
 } // namespace franken

@@ -29,12 +29,6 @@ Color toColor(const glm::vec4& color) {
     return result;
 }
 
-/// GL takes an offset into the bound buffer in place of a pointer.
-const void* bufferOffset(int bytes) {
-    return reinterpret_cast<const void*>(
-        static_cast<std::uintptr_t>(bytes)); // NOLINT(performance-no-int-to-ptr)
-}
-
 template<typename Value, typename Convert>
 void place(MeshData& data, int offset, const std::vector<Value>& values, Convert convert) {
     if (offset < 0)
@@ -146,15 +140,13 @@ Result<void> GpuMesh::addPart(const Device& device, const MeshData& data) {
     return {};
 }
 
-void GpuMesh::setPointers(const Gl& gl, unsigned attributes, const std::array<int, 2>& uvSets) const {
+void GpuMesh::setPointers(GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const {
     const auto set = [&](const char* name, int size, GLenum type, int offset) {
         const int location = attributeLocation(name);
         if ((attributes >> location & 1u) == 0)
             return;
         assert(offset >= 0 && "the plan of the material asks for no more than the mesh has");
-        const GLboolean normalized = type == GL_FLOAT ? GL_FALSE : GL_TRUE;
-        gl.VertexAttribPointer(static_cast<GLuint>(location), size, type, normalized, m_format.stride,
-                               bufferOffset(offset));
+        state.setPointer(static_cast<GLuint>(location), {size, type, m_format.stride, offset});
     };
     set("aPosition", 3, GL_FLOAT, m_format.position);
     set("aNormal", 3, GL_FLOAT, m_format.normal);
@@ -172,7 +164,7 @@ void GpuMesh::draw(const Gl& gl, GlState& state, unsigned attributes,
         state.bindIndices(part.indices.name());
         if (state.changesPointers(part.vertices.name(), layout)) {
             state.bindVertices(part.vertices.name());
-            setPointers(gl, attributes, uvSets);
+            setPointers(state, attributes, uvSets);
         }
         gl.DrawElements(GL_TRIANGLES, part.count, part.indexType, nullptr);
     }

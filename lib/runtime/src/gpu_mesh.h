@@ -55,7 +55,7 @@ private:
     };
 
     Result<void> addPart(const Device& device, const MeshData& data);
-    void setPointers(const Gl& gl, unsigned attributes, const std::array<int, 2>& uvSets) const;
+    void setPointers(GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;
 
     VertexFormat m_format;
     std::vector<Part> m_parts;

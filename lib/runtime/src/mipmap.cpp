@@ -28,36 +28,55 @@ struct Tables {
     }
 };
 
-using Four = std::array<std::uint8_t, 4>;
+/// The pixels along an axis that one pixel of half the size covers: of an odd size, three in part, because
+/// the pixels of the smaller picture are a little wider than two.
+struct Taps {
+    std::array<int, 3> pixel;
+    std::array<float, 3> weight;
+};
 
-std::uint8_t meanColor(const Four& codes) {
-    static const Tables tables;
-    float light = 0;
-    for (const std::uint8_t code : codes)
-        light += tables.light[code];
-    return tables.code[static_cast<std::size_t>(std::lround(light * 0.25f * kSteps))];
+Taps tapsAt(int x, int size) {
+    const int first = 2 * x, half = size / 2;
+    if (size == 1)
+        return {{0, 0, 0}, {1, 0, 0}};
+    if (size % 2 == 0)
+        return {{first, first + 1, first + 1}, {0.5f, 0.5f, 0}};
+    const auto whole = static_cast<float>(size);
+    return {{first, first + 1, first + 2},
+            {static_cast<float>(half - x) / whole, static_cast<float>(half) / whole,
+             static_cast<float>(x + 1) / whole}};
 }
 
-std::uint8_t meanAlpha(const Four& a) {
-    return static_cast<std::uint8_t>((a[0] + a[1] + a[2] + a[3] + 2) / 4);
+std::array<std::uint8_t, 4> meanOf(const Image& image, const Taps& across, const Taps& down) {
+    static const Tables tables;
+    std::array<float, 4> sum{};
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto pixel =
+                static_cast<std::size_t>(down.pixel[j]) * static_cast<std::size_t>(image.width) +
+                static_cast<std::size_t>(across.pixel[i]);
+            const std::uint8_t* const rgba = image.rgba.data() + 4 * pixel;
+            const float weight = across.weight[i] * down.weight[j];
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                sum[channel] += weight * tables.light[rgba[channel]];
+            sum[3] += weight * static_cast<float>(rgba[3]);
+        }
+    const auto code = [](float light) {
+        return tables.code[static_cast<std::size_t>(std::lround(std::min(light, 1.0f) * kSteps))];
+    };
+    return {code(sum[0]), code(sum[1]), code(sum[2]),
+            static_cast<std::uint8_t>(std::lround(std::min(sum[3], 255.0f)))};
 }
 
 Image halved(const Image& image) {
     Image half{image.name, std::max(1, image.width / 2), std::max(1, image.height / 2), {}};
     half.rgba.reserve(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
-    const auto at = [&](int x, int y, int channel) {
-        const auto pixel =
-            static_cast<std::size_t>(std::min(y, image.height - 1)) * static_cast<std::size_t>(image.width) +
-            static_cast<std::size_t>(std::min(x, image.width - 1));
-        return image.rgba[4 * pixel + static_cast<std::size_t>(channel)];
-    };
     for (int y = 0; y < half.height; ++y)
-        for (int x = 0; x < half.width; ++x)
-            for (int channel = 0; channel < 4; ++channel) {
-                const Four four = {at(2 * x, 2 * y, channel), at(2 * x + 1, 2 * y, channel),
-                                   at(2 * x, 2 * y + 1, channel), at(2 * x + 1, 2 * y + 1, channel)};
-                half.rgba.push_back(channel < 3 ? meanColor(four) : meanAlpha(four));
-            }
+        for (int x = 0; x < half.width; ++x) {
+            const std::array<std::uint8_t, 4> mean =
+                meanOf(image, tapsAt(x, image.width), tapsAt(y, image.height));
+            half.rgba.insert(half.rgba.end(), mean.begin(), mean.end());
+        }
     return half;
 }
 

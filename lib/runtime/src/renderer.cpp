@@ -46,6 +46,7 @@ void Renderer::setLighting(const Lighting& lighting) {
 
 void Renderer::setLook(const Look& look) {
     m_state->look = look;
+    m_state->overlayProgram.reset();
     m_state->resolved = false;
 }
 

@@ -16,6 +16,11 @@ Gl deadTable() {
     return gl;
 }
 
+Error noSource() {
+    return {"renderer.no-source", "", "a picture was lost with the context, and it has no source",
+            "hand addPicture() a source that reads it again"};
+}
+
 } // namespace
 
 void Renderer::contextLost() {
@@ -28,6 +33,11 @@ void Renderer::contextLost() {
     state.skyMemory = {};
     state.skyTriangle = {};
     state.mirror.reset();
+    for (Picture& picture : state.pictures)
+        picture.texture = {};
+    state.overlayVertices = {};
+    state.overlayIndices = {};
+    state.overlayProgram.reset();
     state.defaults.reset();
     state.skyProgram.reset();
     state.programs.abandon();
@@ -68,6 +78,10 @@ Result<void> Renderer::restore(const Gl& gl, const Capabilities& capabilities) {
     if (state.mirrorSource) {
         const Result<SkyMirror> mirror = state.mirrorSource();
         keepFirst(mirror ? state.uploadMirror(*mirror) : Result<void>(mirror.error()));
+    }
+    for (Picture& picture : state.pictures) {
+        const Result<Image> image = picture.source ? picture.source() : noSource();
+        keepFirst(image ? state.uploadPicture(picture, *image) : Result<void>(image.error()));
     }
     return result;
 }

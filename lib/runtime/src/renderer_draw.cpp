@@ -70,6 +70,7 @@ void Renderer::State::beginFrame(const DrawTarget& target) {
     glState.setBlending(false);
     glState.setDepthTest(true);
     glState.setDepthWrites(true);
+    glState.setDepthRange(0, 1);
     bindMirror(glState, *mirror);
     glState.setClearColor(target.background);
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

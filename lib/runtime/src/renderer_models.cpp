@@ -26,7 +26,7 @@ bool Renderer::State::isShown(const Model& model) const {
 
 Result<void> Renderer::State::upload(Model& model, const Scene& scene) {
     if (lost)
-        return Error{"renderer.context-lost", "", "there is no context", "call restore() first"};
+        return noContext();
     glState.invalidate();
     Result<GpuScene> gpu = franken::upload(device(), scene, *defaults);
     if (!gpu)

@@ -2,11 +2,8 @@
 #include "renderer_state.h"
 
 namespace franken {
-namespace {
 
 Error noContext() { return {"renderer.context-lost", "", "there is no context", "call restore() first"}; }
-
-} // namespace
 
 // Goes on after an error: what has a program is drawn.
 Result<void> Renderer::State::resolvePrograms(const DrawTarget* target) {

@@ -55,7 +55,7 @@ void Renderer::State::drawBackdrop() {
     glState.bindTexture(kSkyUnit, GL_TEXTURE_CUBE_MAP, sky.name());
     if (glState.changesPointers(skyTriangle.name(), 0)) {
         glState.bindVertices(skyTriangle.name());
-        gl.VertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+        glState.setPointer(0, {3, GL_FLOAT, 0, 0});
     }
     glState.setCulling(false);
     gl.DrawArrays(GL_TRIANGLES, 0, 3);

@@ -14,12 +14,22 @@ namespace franken {
 /// Asked after an upload; GL's other errors are bugs.
 Result<void> checkMemory(const Gl& gl);
 
+/// "renderer.context-lost"
+Error noContext();
+
 /// A scene that was handed over, on the GPU or not.
 struct Model {
     ModelId id;
     SceneSource source; ///< May be empty.
     std::optional<GpuScene> gpu = {};
     std::uint64_t lastShown = 0; ///< By State::shows.
+};
+
+/// A picture for overlays; without a texture where it was lost.
+struct Picture {
+    PictureId id;
+    PictureSource source; ///< May be empty.
+    GpuTexture texture;
 };
 
 /// A drawable of a model that is shown: all that a frame reads of it, in one place.
@@ -35,7 +45,7 @@ struct Object {
 };
 
 /// What a renderer is made of. The member functions stand by their subject: renderer_models.cpp,
-/// renderer_programs.cpp, renderer_draw.cpp, renderer_sky.cpp.
+/// renderer_programs.cpp, renderer_draw.cpp, renderer_sky.cpp, renderer_overlay.cpp, renderer_context.cpp.
 struct Renderer::State {
     State(const Gl& table, const Capabilities& found, Log log_);
 
@@ -68,6 +78,12 @@ struct Renderer::State {
     Result<void> uploadMirror(const SkyMirror& source);
     void drawBackdrop();
 
+    Result<void> uploadPicture(Picture& picture, const Image& image);
+    GLuint textureOf(PictureId id) const; ///< 0 where there is none.
+    void makeOverlayBuffers();
+    void beginOverlay(ShaderProgram& program, const DrawTarget& target);
+    void drawQuads(std::span<const OverlayQuad> quads, unsigned attributes);
+
     Device device() { return {gl, capabilities, memory, log}; }
 
     Gl gl; ///< A copy, so that it can be taken away when the context is lost.
@@ -97,6 +113,12 @@ struct Renderer::State {
     float skyRange = 0;
     SkySource skySource;
     ProgramHandle skyProgram;
+
+    std::vector<Picture> pictures;
+    GlBuffer overlayVertices, overlayIndices;
+    ProgramHandle overlayProgram; ///< Null where the look has changed.
+    UniformBlock<MaterialBlock> overlayMaterial;
+    UniformBlock<ObjectBlock> overlayObject;
 
     Lighting lighting;
     Look look;

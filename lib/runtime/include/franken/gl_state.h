@@ -20,7 +20,7 @@ namespace franken {
 /// | array and element array buffer, arrays 0 to 7 and their pointers | what the mesh needs |
 /// | blending, depth test, depth writes, face culling, front face | by pass and material |
 /// | blend equation and function | add; source alpha, one minus source alpha (alpha: one, same) |
-/// | depth function, depth range, cull face, colour mask | less or equal, 0 to 1, back, all |
+/// | depth function, depth range, cull face, colour mask | less or equal, 0 to 1 (overlays: 0), back, all |
 /// | scissor, stencil and dither, polygon offset, alpha to coverage, sample coverage | off |
 /// | framebuffer, viewport, clear colour, clear depth | the target's |
 /// | loading alone: unpack alignment | 4 |
@@ -46,6 +46,7 @@ public:
     void setDepthTest(bool on) { setCapability(m_depthTest, GL_DEPTH_TEST, on); }
     void setCulling(bool on) { setCapability(m_culling, GL_CULL_FACE, on); }
     void setDepthWrites(bool on);
+    void setDepthRange(float near, float far);
     void setFrontFace(GLenum winding);
 
     void useProgram(GLuint program);
@@ -59,14 +60,25 @@ public:
     /// or another layout of it. `layout` is any number that tells the layouts of one buffer apart.
     bool changesPointers(GLuint buffer, unsigned layout);
 
+    /// Where an array lies in the buffer that bindVertices() bound.
+    struct Pointer {
+        GLint size;
+        GLenum type; ///< What is not GL_FLOAT is normalised.
+        GLsizei stride;
+        int offset; ///< Bytes.
+        bool operator==(const Pointer&) const = default;
+    };
+    void setPointer(GLuint location, const Pointer& pointer);
+
 private:
-    static constexpr std::size_t kUnits = 8;
+    static constexpr std::size_t kUnits = 8, kArrays = 8;
     static constexpr GLuint kUnknown = ~GLuint{0};
 
-    struct Pointers {
+    template<typename Value>
+    struct Of {
         GLuint buffer;
-        unsigned layout;
-        bool operator==(const Pointers&) const = default;
+        Value value;
+        bool operator==(const Of&) const = default;
     };
 
     void setCapability(std::optional<bool>& known, GLenum capability, bool on);
@@ -74,13 +86,15 @@ private:
     const Gl* m_gl;
     bool m_begun = false;
     std::optional<std::array<float, 3>> m_clearColor;
+    std::optional<std::array<float, 2>> m_depthRange;
     std::optional<bool> m_blending, m_depthTest, m_culling, m_depthWrites;
     GLenum m_frontFace = 0;
     GLuint m_program = kUnknown, m_vertices = kUnknown, m_indices = kUnknown;
     unsigned m_unit = kUnknown;
     std::array<std::array<GLuint, 2>, kUnits> m_textures = unknownTextures(); ///< 2D, cube
     std::optional<unsigned> m_arrays;
-    std::optional<Pointers> m_pointers;
+    std::optional<Of<unsigned>> m_layout;
+    std::array<std::optional<Of<Pointer>>, kArrays> m_pointers;
 
     static constexpr std::array<std::array<GLuint, 2>, kUnits> unknownTextures() {
         std::array<std::array<GLuint, 2>, kUnits> textures{};

@@ -9,6 +9,7 @@
 #include "franken/light.h"
 #include "franken/log.h"
 #include "franken/material.h"
+#include "franken/overlay.h"
 #include "franken/program_supply.h"
 #include "franken/scene.h"
 #include "franken/specular_sky.h"
@@ -118,6 +119,14 @@ public:
     /// "renderer.context-lost" between contextLost() and restore().
     Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
 
+    /// Uploads a picture for overlays. Fails as add() does. Without a source it is lost with the context.
+    Result<PictureId> addPicture(const Image& picture, PictureSource source = {});
+    void removePicture(PictureId picture);
+
+    /// Draws rectangles in their order on top of what the target shows; what lies outside is cut off. Fails
+    /// with "renderer.picture" for an unknown or lost picture, then without drawing, and as prepare() does.
+    Result<void> drawOverlay(std::span<const OverlayQuad> quads, const DrawTarget& target);
+
     /// Someone else changed GL's state since the last call: to be said once, before the next one. Bindings of
     /// framebuffers and the viewport need not be told of.
     void invalidateState();
@@ -126,9 +135,9 @@ public:
     /// sky, lighting and look are remembered.
     void contextLost();
 
-    /// Rebuilds everything that is shown in a new context, which is current, from the sources. Where
-    /// something cannot be rebuilt, the rest is, and the first error is returned. Without contextLost()
-    /// before, the old context counts as lost.
+    /// Rebuilds all models that are shown, the sky and all pictures in a new context, which is current, from
+    /// their sources. Where something cannot be rebuilt, the rest is, and the first error is returned.
+    /// Without contextLost() before, the old context counts as lost.
     Result<void> restore(const Gl& gl);
     Result<void> restore(const Gl& gl, const Capabilities& capabilities);
 
