@@ -12,7 +12,7 @@ protected:
     DrawTarget target() { return {.framebuffer = surface().framebuffer(), .width = 64, .height = 64}; }
 
     /// A red wall fills the view, or nothing does; then the rectangles.
-    test::Image drawn(Renderer& renderer, std::span<const OverlayQuad> quads) {
+    ReadBack drawn(Renderer& renderer, std::span<const OverlayQuad> quads) {
         EXPECT_TRUE(renderer.draw(viewpointOf(Camera{}, 1), target()));
         const Result<void> result = renderer.drawOverlay(quads, target());
         EXPECT_TRUE(result) << toString(result.error());
@@ -23,10 +23,10 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Backends, OverlayTest, allBackends(), backendName);
 
-using Pixel = test::Image::Pixel;
+using Pixel = ReadBack::Pixel;
 
 /// Four texels of 8 x 8 pixels: grey 60, red, green, half-transparent white.
-franken::Image fourColors() {
+Image fourColors() {
     return paint(16, [](glm::vec2 uv) {
         if (uv.y < 0.5f)
             return uv.x < 0.5f ? glm::vec4(60.0f / 255, 60.0f / 255, 60.0f / 255, 1) : glm::vec4(1, 0, 0, 1);
@@ -54,7 +54,7 @@ TEST_P(OverlayTest, CodesArriveAsTheyAreWhereTheyShould) {
     Renderer renderer(gl());
     const Result<PictureId> picture = renderer.addPicture(fourColors());
     ASSERT_TRUE(picture);
-    const test::Image image = drawn(renderer, {{{.picture = *picture, .place = {8, 4, 16, 16}}}});
+    const ReadBack image = drawn(renderer, {{{.picture = *picture, .place = {8, 4, 16, 16}}}});
     expectNear(image.pixel(8, 4), {60, 60, 60, 255});
     expectNear(image.pixel(15, 11), {60, 60, 60, 255});
     expectNear(image.pixel(16, 4), {255, 0, 0, 255});
@@ -67,14 +67,14 @@ TEST_P(OverlayTest, CodesArriveAsTheyAreWhereTheyShould) {
 TEST_P(OverlayTest, LiesOnTopOfTheNearestThingAndBlendsWithIt) {
     Renderer renderer(gl());
     ASSERT_TRUE(renderer.load(wall()));
-    const test::Image bare = drawn(renderer, {});
+    const ReadBack bare = drawn(renderer, {});
     expectNear(bare.pixel(32, 32), {255, 0, 0, 255});
     const Result<PictureId> picture = renderer.addPicture(fourColors());
     ASSERT_TRUE(picture);
     const std::vector<OverlayQuad> quads = {
         {.picture = *picture, .place = {0, 0, 64, 64}, .part = {0.25f, 0.75f, 0, 0}},
         {.picture = *picture, .place = {32, 0, 32, 64}, .part = {0.75f, 0.75f, 0, 0}, .color = {0, 0, 1, 1}}};
-    const test::Image image = drawn(renderer, quads);
+    const ReadBack image = drawn(renderer, quads);
     expectNear(image.pixel(10, 50), {0, 255, 0, 255});
     expectNear(image.pixel(50, 50), {0, 128, 128, 255});
     EXPECT_EQ(drawn(renderer, {}).rgba, bare.rgba) << "the next frame is as if nothing had been there";
@@ -85,10 +85,10 @@ TEST_P(OverlayTest, IsDecodedForATargetThatEncodes) {
     renderer.setLook({.output = Output::Linear});
     const Result<PictureId> picture = renderer.addPicture(fourColors());
     ASSERT_TRUE(picture);
-    const test::Image image = drawn(renderer, {{{.picture = *picture, .place = {0, 0, 16, 16}}}});
+    const ReadBack image = drawn(renderer, {{{.picture = *picture, .place = {0, 0, 16, 16}}}});
     expectNear(image.pixel(3, 3), {11, 11, 11, 255}); // 60 / 255 in sRGB is 0.0452 in linear light.
     renderer.setLook({});
-    const test::Image encoded = drawn(renderer, {{{.picture = *picture, .place = {0, 0, 16, 16}}}});
+    const ReadBack encoded = drawn(renderer, {{{.picture = *picture, .place = {0, 0, 16, 16}}}});
     expectNear(encoded.pixel(3, 3), {60, 60, 60, 255});
 }
 
@@ -130,7 +130,7 @@ TEST_P(OverlayTest, PicturesAreCountedAndComeBackAfterALostContext) {
     ASSERT_TRUE(picture && gone);
     EXPECT_EQ(renderer.memory().used(MemoryUse::Textures), 2u * 16 * 16 * 4);
     const std::vector<OverlayQuad> quads = {{.picture = *picture, .place = {8, 4, 16, 16}}};
-    const test::Image before = drawn(renderer, quads);
+    const ReadBack before = drawn(renderer, quads);
     renderer.contextLost();
     replaceContext({64, 64});
     EXPECT_EQ(renderer.drawOverlay(quads, target()).error().code, "renderer.context-lost");
