@@ -1,10 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tests/run.sh [PRESET...]: installs what is missing, builds the presets (dev and asan) and runs all tests.
+# tests/run.sh [PRESET...]: installs what is missing, builds the presets (dev, asan and fuzz) and runs all tests.
 # Ends with a line that counts what passed, failed and was skipped.
 set -eu
 root=$(cd "$(dirname "$0")/.." && pwd)
-[ $# -gt 0 ] || set -- dev asan
+[ $# -gt 0 ] || set -- dev asan fuzz
 "$root/toolchains/install-packages.sh" test
 
 count() { sed -n "s/.*<testsuite.* $1=\"\([0-9]*\)\".*/\1/p" "$2" | head -n 1; }

@@ -38,6 +38,7 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearestWord(std::string_view text) {
+    text = text.substr(0, 64); // longer is no slip of a finger, and a file may hold megabytes without a space
     std::string_view best;
     std::size_t bestDistance = text.size() + 1000;
     for (const Choice& choice : choices())

@@ -90,6 +90,13 @@ std::vector<MalformedFile> jpegs() {
         model("jpeg-segment-past-the-end", head + "\xFF\xDB\xFF\xFF" + rest),
         model("jpeg-huffman-codes-too-many",
               head + std::string("\xFF\xC4\x00\x13\x00\xFF", 6) + std::string(15, '\xFF') + rest),
+        model("jpeg-huffman-codes-too-many-in-a-cut-segment",
+              sound.substr(0, scan) + std::string("\xFF\xC4\x20\x00\x00", 5) + std::string(16, '\xFF')),
+        model("jpeg-huffman-table-cut-in-its-counts",
+              head + std::string("\xFF\xC4\x00\x04\x00\xFF", 6) + rest),
+        model("jpeg-huffman-second-table-too-long", head + std::string("\xFF\xC4\x00\x25\x00\x01", 6) +
+                                                        std::string(16, '\0') + std::string(1, '\x10') +
+                                                        std::string(16, '\xFF') + rest),
         model("jpeg-two-frames", head + sound.substr(frame, 13) + rest),
         model("jpeg-of-101-scans", jpeg(64, 64, true, 101)),
         model("jpeg-of-100000-scans", jpeg(2048, 2048, true, 100000 / 256)),

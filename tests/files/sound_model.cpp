@@ -74,7 +74,8 @@ GltfBuilder soundModel() {
     addTriangle(file);
     file.json["extensionsUsed"] = {"KHR_texture_transform"};
     file.json["extensionsRequired"] = {"KHR_texture_transform"};
-    file.json["materials"] = {material(texture)};
+    file.json["materials"] =
+        Json::array({material(texture)}); // not { }: compilers disagree about one element
     file.json["samplers"] = {{{"magFilter", 9729}, {"minFilter", 9987}, {"wrapS", 10497}, {"wrapT", 10497}}};
     file.json["textures"][0]["sampler"] = 0;
     file.json["textures"][0]["name"] = "texture";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 
 namespace franken {
 namespace {
@@ -76,14 +77,14 @@ public:
         return 0;
     }
 
-    /// What the marker says, and moves behind it; empty where that is not all there.
-    Bytes segment() {
+    /// What the marker says, and moves behind it. False where that is not all there.
+    bool segment(Bytes& content) {
         const std::size_t length = m_rest.size() < 2 ? 0 : bigEndian(m_rest.first(2));
         if (length < 2 || length > m_rest.size())
-            return m_rest = {};
-        const Bytes content = m_rest.subspan(2, length - 2);
+            return false;
+        content = m_rest.subspan(2, length - 2);
         m_rest = m_rest.subspan(length);
-        return content;
+        return true;
     }
 
 private:
@@ -108,13 +109,33 @@ Result<ImageHeader> readFrame(Bytes frame, bool progressive, Bytes encoded, int 
     return header;
 }
 
+// T.81, B.2.4.2: tables of a byte, 16 counts and as many symbols as these add up to. stb_image 2.27 writes
+// past its own table where they are more than 256.
+bool areTablesSound(Bytes tables) {
+    constexpr std::size_t kCounts = 17;
+    while (!tables.empty()) {
+        if (tables.size() < kCounts)
+            return false;
+        const Bytes counts = tables.subspan(1, 16);
+        const std::size_t symbols = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
+        if (symbols > 256 || symbols > tables.size() - kCounts)
+            return false;
+        tables = tables.subspan(kCounts + symbols);
+    }
+    return true;
+}
+
 Result<ImageHeader> readJpeg(Bytes encoded, int maxSize) {
     Result<ImageHeader> header = formatError("the JPEG has no header");
     JpegReader reader(encoded);
     int frames = 0, scans = 0;
     for (std::uint8_t marker = reader.marker(); marker != 0 && marker != 0xD9; marker = reader.marker()) {
         const bool isFrame = marker >= 0xC0 && marker <= 0xC2; // baseline, extended, progressive
-        const Bytes content = reader.segment();
+        Bytes content;
+        if (!reader.segment(content))
+            return formatError("the JPEG is cut off inside its headers");
+        if (marker == 0xC4 && !areTablesSound(content))
+            return formatError("the JPEG has a broken Huffman table");
         if (isFrame && ++frames == 1)
             header = readFrame(content, marker == 0xC2, encoded, maxSize);
         if (marker == 0xDA && ++scans > kMaxScans)

@@ -25,10 +25,11 @@ struct ImageHeader {
 };
 
 /// Reads the header of a PNG (ISO/IEC 15948, 11.2.2) or JPEG (ITU-T T.81, B.2.2). Refused, because decoding
-/// them costs far more than their size lets expect:
+/// them does harm, or costs far more than their size lets expect:
 /// - more pixels than that many bytes can hold: deflate packs 1,032 bytes into one at best, and JPEG spends
 /// at
 ///   least a bit on each block of 64;
+/// - a Huffman table of more than 256 symbols in a JPEG, past whose end stb_image 2.27 would write;
 /// - more than 100 scans in a JPEG: each passes over all of the picture, and encoders make about ten.
 ///
 /// Fails with "image.format" or "image.size" (wider or higher than `maxSize`). Safe on any bytes.

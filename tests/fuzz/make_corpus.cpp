@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// make_corpus FOLDER NAMES: writes what the fuzzers start from: the malformed files of the tests, and the
+// sound ones that they were made of; the named permutations in the file NAMES.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "franken/baked_sky.h"
+#include "malformed.h"
+#include "pictures.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxSeed = 16384; ///< A fuzzer gets nowhere with larger ones.
+
+void write(const fs::path& folder, std::string name, const std::string& bytes) {
+    if (bytes.size() > kMaxSeed)
+        return;
+    std::replace(name.begin(), name.end(), '/', '_');
+    fs::create_directories(folder);
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+}
+
+std::string bakedSky() {
+    franken::BakedSky sky;
+    sky.sun = franken::Sun{.direction = {0, -1, 0}, .color = {1, 1, 1}};
+    const auto bytes = franken::encodeBakedSky(sky);
+    return {bytes.begin(), bytes.end()};
+}
+
+void writeNames(const fs::path& folder, const std::string& file) {
+    std::ifstream in(file);
+    std::stringstream whole;
+    whole << in.rdbuf();
+    write(folder / "manifest", "named", whole.str());
+    write(folder / "manifest", "comments", "# nothing\n\n  \t# here\r\nsurface # and here");
+    int number = 0;
+    for (std::string line; std::getline(whole, line);)
+        if (const std::string name = line.substr(0, line.find_first_of(" #")); !name.empty())
+            write(folder / "permutation", std::to_string(number++), name);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3)
+        return 2;
+    const fs::path folder = argv[1];
+    for (const bool binary : {false, true})
+        write(folder / "gltf", binary ? "sound.glb" : "sound.gltf", soundModel().bytes(binary));
+    for (const MalformedFile& file : malformedFiles())
+        if (!file.name.starts_with("schema/")) // one change each of the sound model: the fuzzer makes its own
+            write(folder / (file.name.starts_with("sky/") ? "sky" : "gltf"), file.name, file.bytes);
+    for (const int type : {0, 2, 3, 4, 6})
+        write(folder / "sky", "png" + std::to_string(type), pictures::png(16, 8, 8, type));
+    for (const bool progressive : {false, true})
+        write(folder / "sky", progressive ? "progressive" : "baseline",
+              pictures::jpeg(32, 16, progressive, 5));
+    write(folder / "sky", "baked", bakedSky());
+    writeNames(folder, argv[2]);
+    for (const char* part : {"gltf", "sky", "manifest", "permutation"}) {
+        const auto count = std::distance(fs::directory_iterator(folder / part), fs::directory_iterator());
+        std::cout << part << ": " << count << " seeds\n";
+    }
+    return 0;
+}
