@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 
-// The coefficients of c^3, c^2 and c in decode_fast.glsl.
+// The coefficients of c^3, c^2 and c of a cubic through (0, 0) and (1, 1), fitted to the sRGB curve.
 constexpr Float3 kDecodeCubic = {0.305306011f, 0.682171111f, 0.012522878f};
 
 Float3 scaled(const Float3& v, float factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
@@ -44,13 +44,6 @@ Float3 packLobe(float roughness, Brdf brdf) {
     return {};
 }
 
-// The level is 2 log2(roughness) + 8 - kSpecularSharpening (1 - N.V) (1 - roughness).
-Float3 packSpecularLobe(float roughness) {
-    const float sharpening = kSpecularSharpening * (1 - roughness);
-    const float level = 2 * std::log2(std::max(roughness, kMinRoughness)) + kSpecularLevels - 1;
-    return {roughness, sharpening, level - sharpening};
-}
-
 // glTF mixes a dielectric and a metal; the seed takes one F0 for both, so that the specular layer takes its
 // share from the base colour's channels.
 Float4 packReflectance(float metallic, Brdf brdf) {
@@ -62,17 +55,25 @@ Float4 packReflectance(float metallic, Brdf brdf) {
 
 } // namespace
 
+float specularBend(float roughness) {
+    const float alpha = roughness * roughness;
+    return 0.8f * alpha + 7 * alpha * alpha * alpha * alpha;
+}
+
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure) {
     const Float3 base = {factors.baseColor[0], factors.baseColor[1], factors.baseColor[2]};
+    const Float3 emissive = scaled(factors.emissive, exposure);
     return {.baseColor = factors.baseColor,
             .baseColorCubic = {scaled(base, kDecodeCubic[0]), scaled(base, kDecodeCubic[1]),
                                scaled(base, kDecodeCubic[2])},
             .metallicRoughness = {factors.metallic, factors.roughness},
             .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
-            .specularLobe = packSpecularLobe(factors.roughness),
+            .specularLobe = {factors.roughness, specularBend(factors.roughness)},
             .occlusion = {factors.occlusionStrength, 1 - factors.occlusionStrength},
-            .emissive = scaled(factors.emissive, exposure),
+            .emissive = emissive,
+            .emissiveCubic = {scaled(emissive, kDecodeCubic[0]), scaled(emissive, kDecodeCubic[1]),
+                              scaled(emissive, kDecodeCubic[2])},
             .normalScale = factors.normalScale,
             .alphaCutoff = factors.alphaCutoff,
             .uv0Transform = factors.uv0Transform,
@@ -128,7 +129,7 @@ constexpr Field kFields[] = {
     {Block::Frame, "uCameraPosition", offsetof(FrameBlock, cameraPosition)},
     {Block::Frame, "uClipToSky", offsetof(FrameBlock, clipToSky)},
     {Block::Frame, "uSkyRange", offsetof(FrameBlock, skyRange)},
-    {Block::Frame, "uSpecularRange", offsetof(FrameBlock, specularRange)},
+    {Block::Frame, "uSpecularScale", offsetof(FrameBlock, specularScale)},
     {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
     {Block::Lights, "uAmbient", offsetof(LightsBlock, ambient)},
     {Block::Lights, "uSky", offsetof(LightsBlock, sky)},
@@ -146,6 +147,7 @@ constexpr Field kFields[] = {
     {Block::Material, "uSpecularLobe", offsetof(MaterialBlock, specularLobe)},
     {Block::Material, "uOcclusion", offsetof(MaterialBlock, occlusion)},
     {Block::Material, "uEmissive", offsetof(MaterialBlock, emissive)},
+    {Block::Material, "uEmissiveCubic", offsetof(MaterialBlock, emissiveCubic)},
     {Block::Material, "uNormalScale", offsetof(MaterialBlock, normalScale)},
     {Block::Material, "uAlphaCutoff", offsetof(MaterialBlock, alphaCutoff)},
     {Block::Material, "uUv0Transform", offsetof(MaterialBlock, uv0Transform)},

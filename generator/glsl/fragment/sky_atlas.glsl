@@ -3,22 +3,23 @@
 // before, so that all shrink towards one point: the numbers are that point and a square's place in the first level.
 //! declarations
 uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
-uniform float uSpecularRange; // frame: the largest radiance that a texel can hold, times the exposure
+uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 //! functions
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
 vec2 skyPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
+  vec2 p = d.xz * inverse(a.y + max(a.x, a.z));
   return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
 }
 
-// level: 0-8, of the roughness 2^((level - 8) / 2). Returns radiance over uSpecularRange.
+// level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
 vec3 skyThroughLobe(vec3 d, float level) {
-  float blend = fract(level);
-  float size = exp2(-0.5 * floor(level));
-  vec2 point = skyPoint(d);
-  vec4 sharp = texture2D(uSpecularSky, point * size + vec2(0.0, 1.0462376));
-  vec4 rough = texture2D(uSpecularSky, point * (0.70710678 * size) + vec2(0.0, 1.0462376));
-  vec3 root = sharp.rgb * (sharp.a - sharp.a * blend) + rough.rgb * (rough.a * blend);
+  float whole = float(int(level));
+  float size = exp2(-0.5 * whole);
+  vec2 point = skyPoint(d) * size;
+  vec4 sharp = texture2D(uSpecularSky, point + vec2(0.0, 1.0462376));
+  float blend = uSpecularScale * (level - whole);
+  vec4 rough = texture2D(uSpecularSky, 0.70710678 * point + vec2(0.0, 1.0462376));
+  vec3 root = rough.rgb * (blend * rough.a) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
   return root * root;
 }

@@ -1,12 +1,11 @@
-// The sky's mirror image: what a lobe shows of it, and a lookup of how much is reflected, from where, and which
-// share of it is so broad that it is irradiance (specularLookup in specular_sky.h).
+// The sky's mirror image: what a lobe shows of it, and a lookup of how much is reflected, of which level, and which
+// share of it is so broad that it is irradiance (specularLookup in specular_sky.h). The direction is bent towards
+// N the more, the rougher the surface (specularBend in pack.h).
 //! declarations
-uniform vec3 uSpecularLobe; // material: roughness; the level over N.V, and at 0
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, bend, irradiance's share
+uniform vec2 uSpecularLobe; // material: roughness; the bend
+uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 //! main
   vec4 look = texture2D(uSpecularLookup, vec2(nDotV, uSpecularLobe.x));
-  vec3 toSky = normal * ((2.0 * nDotV - 1.0) * look.b + 1.0) - toCamera * look.b;
-  float level = max(nDotV * uSpecularLobe.y + uSpecularLobe.z, 0.0);
-  vec3 mirrored = mix(skyThroughLobe(toSky, level) * uSpecularRange, irradiance, look.a);
-  diffuse += mirrored * (look.r * uReflectance.y);
-  specular += mirrored * (look.r * uReflectance.z + look.g);
+  vec3 toSky = normal * (2.0 * nDotV + uSpecularLobe.y) - toCamera;
+  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
+  vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);

@@ -1,11 +1,12 @@
-// The sky's mirror image: what a lobe shows of it, and a lookup of how much is reflected, from where, and which
-// share of it is so broad that it is irradiance (specularLookup in specular_sky.h).
+// The sky's mirror image: what a lobe shows of it, and a lookup of how much is reflected, of which level, and which
+// share of it is so broad that it is irradiance (specularLookup in specular_sky.h). The direction is bent towards
+// N the more, the rougher the surface (specularBend in pack.h).
 //! declarations
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, bend, irradiance's share
+uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 //! main
+  float alpha = roughness * roughness;
   vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
-  vec3 toSky = normal * ((2.0 * nDotV - 1.0) * look.b + 1.0) - toCamera * look.b;
-  float level = max(2.0 * log2(max(roughness, 0.001)) + (nDotV - 1.0) * (2.5 - 2.5 * roughness) + 8.0, 0.0);
-  vec3 mirrored = mix(skyThroughLobe(toSky, level) * uSpecularRange, irradiance, look.a);
-  diffuse += mirrored * (look.r * metallic);
-  specular += mirrored * (look.r * (0.04 - 0.04 * metallic) + look.g);
+  vec3 skyShare = vec3(0.96 - metallic * 0.96, look.r * metallic, look.g + look.r * (0.04 - 0.04 * metallic));
+  float alpha2 = alpha * alpha;
+  vec3 toSky = normal * (2.0 * nDotV + (alpha * 0.8 + (alpha2 * alpha2) * 7.0)) - toCamera;
+  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);

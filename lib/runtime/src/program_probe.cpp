@@ -43,7 +43,7 @@ ProgramProbe::ProgramProbe(const Gl& gl, const Capabilities& capabilities, Textu
     m_frame.edit() = {.cameraPosition = {0, 0, 2},
                       .clipToSky = kIdentity3,
                       .skyRange = 1,
-                      .specularRange = 1,
+                      .specularScale = 1,
                       .dither = {}};
     m_lights.edit() = lightFromTheEye();
     m_object.edit() = {kIdentity4, kIdentity4, kIdentity3, kIdentity3};

@@ -4,6 +4,7 @@
 #include "texture_reset.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace franken {
@@ -24,7 +25,7 @@ void Renderer::State::updateBlocks(const Viewpoint& viewpoint, const DrawTarget&
     values.cameraPosition = toFloat3(viewpoint.eye);
     roundTo(values.clipToSky, viewpoint.clipToSky);
     values.skyRange = skyRange * lighting.exposure;
-    values.specularRange = mirror->range * lighting.exposure;
+    values.specularScale = std::sqrt(mirror->range * lighting.exposure);
     values.dither = packDither(target.bits);
     frame.set(values);
     lights.set(packLighting(lighting, toFloat3(viewpoint.eye)));

@@ -70,11 +70,26 @@ SkyFilter::SkyFilter(const Environment& sky) {
         m_levels.push_back(halved(m_levels.back()));
 }
 
-// The level: Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007.
+// Colbert and Krivanek, "GPU-Based Importance Sampling", GPU Gems 3, 2007.
+int SkyFilter::levelFor(float density, int count) const {
+    const float texel = 4 * kPi / static_cast<float>(m_levels[0].texels.size());
+    const float level = 0.5f * std::log2(1 / (static_cast<float>(count) * density * texel)) + 0.5f;
+    return static_cast<int>(std::clamp(level, 0.0f, static_cast<float>(m_levels.size() - 1)));
+}
+
+std::vector<SkyFilter::Sample> SkyFilter::cosineLobe() const {
+    std::vector<Sample> samples;
+    for (const glm::vec2& point : evenPoints(kSamples)) {
+        const float z = std::sqrt(1 - point.x), ring = std::sqrt(point.x), angle = 2 * kPi * point.y;
+        samples.push_back({glm::vec3(ring * std::cos(angle), ring * std::sin(angle), z), 1.0f / kSamples,
+                           levelFor(z / kPi, kSamples)});
+    }
+    return samples;
+}
+
 std::vector<SkyFilter::Sample> SkyFilter::lobe(float roughness) const {
     assert(roughness > 0 && roughness <= 1);
     const float alpha = roughness * roughness;
-    const float texel = 4 * kPi / static_cast<float>(m_levels[0].texels.size());
     std::vector<Sample> samples;
     float sum = 0;
     for (const glm::vec2& point : evenPoints(kSamples)) {
@@ -84,9 +99,7 @@ std::vector<SkyFilter::Sample> SkyFilter::lobe(float roughness) const {
             continue;
         const float density = squared(alpha / (1 + (alpha * alpha - 1) * half.z * half.z)) / (4 * kPi);
         const float weight = smithVisibility(direction.z, 1, alpha) * direction.z;
-        const float level = 0.5f * std::log2(1 / (kSamples * density * texel)) + 0.5f;
-        samples.push_back({direction, weight,
-                           std::clamp(static_cast<int>(level), 0, static_cast<int>(m_levels.size()) - 1)});
+        samples.push_back({direction, weight, levelFor(density, kSamples)});
         sum += weight;
     }
     for (Sample& sample : samples)

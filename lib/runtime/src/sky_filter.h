@@ -37,10 +37,16 @@ public:
     /// What glTF's BRDF shows where N = V. roughness: above 0 to 1.
     std::vector<Sample> lobe(float roughness) const;
 
+    /// What a white Lambert surface shows.
+    std::vector<Sample> cosineLobe() const;
+
     /// Radiance through a lobe around a unit direction.
     glm::vec3 radiance(const std::vector<Sample>& lobe, const glm::vec3& direction) const;
 
 private:
+    /// density: of the samples around a direction, 1/sr, of `count` in all.
+    int levelFor(float density, int count) const;
+
     std::vector<Environment> m_levels; ///< Cubes, each half as wide as the one before.
 };
 

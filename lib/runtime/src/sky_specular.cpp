@@ -19,13 +19,34 @@ constexpr float kRatio = 0.70710678f; ///< Of a level's size to that of the one 
 constexpr float kHeight = (1 - 0.0625f * kRatio) / (1 - kRatio); ///< Of all levels, in sizes of the first.
 constexpr int kLookupSamples = 512;
 
+constexpr int kIrradiance = kSpecularLevels; ///< After the levels of the lobes.
+
 struct AtlasPoint {
     int level = 0;
     glm::vec3 direction{0};
 };
 
+/// A direction within a half of the sphere, or a little beyond, that is projected from the other half's pole.
+glm::vec3 fromPole(const glm::vec2& p, bool upper) {
+    const float square = glm::dot(p, p);
+    const float y = (1 - square) / (1 + square);
+    return {2 * p.x / (1 + square), upper ? y : -y, 2 * p.y / (1 + square)};
+}
+
+/// The irradiance: two squares of a quarter of the first level's, in the corner right of the smallest levels.
+std::optional<AtlasPoint> irradiancePoint(float u, float v) {
+    const float row = v * kHeight;
+    if (u < 0.75f || row < 3 || row > 3.25f)
+        return std::nullopt;
+    const bool upper = u < 0.875f;
+    const glm::vec2 p(16 * (u - (upper ? 0.8125f : 0.9375f)), 8 * (row - 3.125f));
+    return AtlasPoint{kIrradiance, fromPole(p / kSpecularScale, upper)};
+}
+
 /// What a point of the atlas holds; nothing beside the squares. u, v: 0 to 1.
 std::optional<AtlasPoint> atlasPoint(float u, float v) {
+    if (const auto irradiance = irradiancePoint(u, v))
+        return irradiance;
     AtlasPoint point;
     float size = 1, top = 0;
     while (point.level + 1 < kSpecularLevels && v * kHeight >= top + size) {
@@ -77,11 +98,12 @@ glm::vec2 reflected(float nDotV, float roughness, const std::vector<glm::vec2>& 
     return sum / static_cast<float>(points.size());
 }
 
-/// How far from the mirrored eye towards N the sky is looked up: 0 to 1. This, the share below and the
-/// sharper level (sky_specular.glsl) are one fit to brute force over two skies, for white and coloured metals
-/// and a grey dielectric.
-float bend(float nDotV, float roughness) {
-    return std::clamp(roughness * (1 - (1 - roughness) * (1.041f + 0.689f * nDotV)), 0.0f, 1.0f);
+/// The level to look at. A lobe that is seen at an angle is narrow across the plane of N and V: so the level
+/// is sharper than what the roughness alone asks for. This and the share below were fitted to brute force
+/// over two skies, for white and coloured metals and a grey dielectric.
+float levelOf(float nDotV, float roughness) {
+    const float level = 2 * std::log2(roughness) + kSpecularLevels - 1;
+    return std::max(level - 2.5f * (1 - nDotV) * (1 - roughness), 0.0f);
 }
 
 /// The share of the light that is taken from the sky's irradiance instead: the broad part of a lobe that is
@@ -103,10 +125,11 @@ int specularHeight(int size) { return static_cast<int>(std::ceil(kHeight * stati
 SpecularAtlas filterSpecular(const Environment& sky, int size, const Progress& progress) {
     assert(size >= kMinSpecularSize && size <= kMaxSpecularSize);
     const SkyFilter filter(sky);
-    std::array<std::vector<SkyFilter::Sample>, kSpecularLevels> lobes;
+    std::array<std::vector<SkyFilter::Sample>, kSpecularLevels + 1> lobes;
     for (int i = 0; i < kSpecularLevels; ++i)
         lobes[static_cast<std::size_t>(i)] =
             filter.lobe(std::exp2(0.5f * static_cast<float>(i + 1 - kSpecularLevels)));
+    lobes[kIrradiance] = filter.cosineLobe();
 
     const int width = 2 * size, height = specularHeight(size);
     std::vector<glm::vec3> texels(std::size_t{1} * width * height);
@@ -141,7 +164,7 @@ Image specularLookup() {
                        const glm::vec2 light = reflected(nDotV, roughness, points);
                        texel[0] = toCode(light.x);
                        texel[1] = toCode(light.y);
-                       texel[2] = toCode(1 - bend(nDotV, roughness));
+                       texel[2] = toCode(levelOf(nDotV, roughness) / (kSpecularLevels - 1));
                        texel[3] = toCode(irradianceShare(nDotV, roughness));
                    }
                },

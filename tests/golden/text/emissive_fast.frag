@@ -24,13 +24,8 @@ uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uAmbient; // lights: linear radiance
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
-uniform vec3 uEmissive; // material: linear radiance where the texture is white
+uniform vec3 uEmissiveCubic[3]; // material: coefficients of c^3, c^2 and c, times the radiance of white
 uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
-
-// A cubic through (0, 0) and (1, 1), fitted to the sRGB curve. c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
-  return c * (c * (c * 0.305306011 + 0.682171111) + 0.012522878);
-}
 
 float root(float x) {
   return sqrt(x);
@@ -99,7 +94,8 @@ void main() {
   vec4 anglesSun0 = lightAngles(normal, vToCamera, scale, nDotV, uSun0Direction);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
   vec3 color = base.rgb * diffuse + specular;
-  color += uEmissive * decodeSrgb(texture2D(uEmissiveTexture, vUv0).rgb);
+  vec3 glow = texture2D(uEmissiveTexture, vUv0).rgb;
+  color += glow * (glow * (glow * uEmissiveCubic[0] + uEmissiveCubic[1]) + uEmissiveCubic[2]);
   color = encodeDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -21,10 +21,9 @@ uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
-uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
 uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
-uniform float uSpecularRange; // frame: the largest radiance that a texel can hold, times the exposure
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, bend, irradiance's share
+uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
+uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 
@@ -82,11 +81,32 @@ Surface makeSurface(float metallic, float roughness) {
   return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
+// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
+vec2 skyPoint(vec3 d) {
+  vec3 a = abs(d);
+  vec2 p = d.xz * inverse(a.y + max(a.x, a.z));
+  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
+}
+
+// level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
+vec3 skyThroughLobe(vec3 d, float level) {
+  float whole = float(int(level));
+  float size = exp2(-0.5 * whole);
+  vec2 point = skyPoint(d) * size;
+  vec4 sharp = texture2D(uSpecularSky, point + vec2(0.0, 1.0462376));
+  float blend = uSpecularScale * (level - whole);
+  vec4 rough = texture2D(uSpecularSky, 0.70710678 * point + vec2(0.0, 1.0462376));
+  vec3 root = rough.rgb * (blend * rough.a) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
+  return root * root;
+}
+
 // n: unit, world space. Returns linear radiance of a white surface.
 vec3 skyLight(vec3 n) {
-  return uSky[0] + uSky[1] * n.y + uSky[2] * n.z + uSky[3] * n.x
-       + uSky[4] * (n.x * n.y) + uSky[5] * (n.y * n.z) + uSky[6] * (3.0 * n.z * n.z - 1.0)
-       + uSky[7] * (n.x * n.z) + uSky[8] * (n.x * n.x - n.y * n.y);
+  vec2 p = n.xz * inverse(abs(n.y) + 1.0);
+  vec2 point = vec2(p.x * 0.0546875 + (n.y < 0.0 ? 0.9375 : 0.8125), p.y * 0.03351643 + 0.9576122);
+  vec4 texel = texture2D(uSpecularSky, point);
+  vec3 root = (uSpecularScale * texel.a) * texel.rgb;
+  return root * root;
 }
 
 // All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
@@ -97,24 +117,6 @@ vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
   float x = 1.0 - root(0.25 * h2);
   float x2 = x * x;
   return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
-}
-
-// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
-vec2 skyPoint(vec3 d) {
-  vec3 a = abs(d);
-  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
-  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
-}
-
-// level: 0-8, of the roughness 2^((level - 8) / 2). Returns radiance over uSpecularRange.
-vec3 skyThroughLobe(vec3 d, float level) {
-  float blend = fract(level);
-  float size = exp2(-0.5 * floor(level));
-  vec2 point = skyPoint(d);
-  vec4 sharp = texture2D(uSpecularSky, point * size + vec2(0.0, 1.0462376));
-  vec4 rough = texture2D(uSpecularSky, point * (0.70710678 * size) + vec2(0.0, 1.0462376));
-  vec3 root = sharp.rgb * (sharp.a - sharp.a * blend) + rough.rgb * (rough.a * blend);
-  return root * root;
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -133,18 +135,17 @@ void main() {
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
   Surface surface = makeSurface(metallic, roughness);
-  vec3 diffuse = max(skyLight(normal), 0.0);
-  vec3 irradiance = diffuse;
-  diffuse *= 0.96 - 0.96 * metallic;
-  vec3 specular = vec3(0.0);
+  vec3 irradiance = skyLight(normal);
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
+  float alpha = roughness * roughness;
   vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
-  vec3 toSky = normal * ((2.0 * nDotV - 1.0) * look.b + 1.0) - toCamera * look.b;
-  float level = max(2.0 * log2(max(roughness, 0.001)) + (nDotV - 1.0) * (2.5 - 2.5 * roughness) + 8.0, 0.0);
-  vec3 mirrored = mix(skyThroughLobe(toSky, level) * uSpecularRange, irradiance, look.a);
-  diffuse += mirrored * (look.r * metallic);
-  specular += mirrored * (look.r * (0.04 - 0.04 * metallic) + look.g);
+  vec3 skyShare = vec3(0.96 - metallic * 0.96, look.r * metallic, look.g + look.r * (0.04 - 0.04 * metallic));
+  float alpha2 = alpha * alpha;
+  vec3 toSky = normal * (2.0 * nDotV + (alpha * 0.8 + (alpha2 * alpha2) * 7.0)) - toCamera;
+  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
+  vec3 diffuse = irradiance * skyShare.x + mirrored * skyShare.y;
+  vec3 specular = mirrored * skyShare.z;
   vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
   vec3 color = base.rgb * diffuse + specular;

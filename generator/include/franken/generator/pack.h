@@ -27,9 +27,9 @@ inline constexpr float kMinRoughness = 0.001f;
 /// 0.088 ... 0.707, 1; smoother surfaces show the first.
 inline constexpr int kSpecularLevels = 9;
 
-/// How much sharper than its roughness a surface shows the sky: by this times (1 - N.V) (1 - roughness)
-/// levels. A lobe that is seen at an angle is narrow across the plane of N and V.
-inline constexpr float kSpecularSharpening = 2.5f;
+/// How far a rough surface's mirror image of the sky is bent towards N: it lies in the direction
+/// (2 N.V + bend) N - V. Fitted to brute force (generator/README.md). roughness: 0-1.
+float specularBend(float roughness);
 
 /// A glTF material's numbers, as they stand in the file; colours linear.
 struct MaterialFactors {
@@ -50,9 +50,10 @@ struct MaterialBlock {
     Float2 metallicRoughness;             ///< The factors, for textured materials.
     Float4 reflectance;  ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base
     Float3 lobe;         ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
-    Float3 specularLobe; ///< Roughness; the sky's level is the second times N.V, plus the third
+    Float2 specularLobe; ///< Roughness; specularBend()
     Float2 occlusion;    ///< strength, 1 - strength
     Float3 emissive;
+    std::array<Float3, 3> emissiveCubic; ///< As baseColorCubic
     float normalScale;
     float alphaCutoff;
     Float9 uv0Transform, uv1Transform;
@@ -107,7 +108,7 @@ struct FrameBlock {
     Float3 cameraPosition; ///< World space, m
     Float9 clipToSky;      ///< (x, y, 1) in clip space to a direction in the sky
     float skyRange;        ///< The largest radiance that a sky texel can hold, times the exposure
-    float specularRange;   ///< Likewise for the sky as rough mirrors show it
+    float specularScale;   ///< Root of the range, times the exposure, of the sky as rough mirrors show it
     Float3 dither;         ///< Amplitude per channel, in output units
 };
 
