@@ -29,7 +29,7 @@ protected:
             viewpointOf(camera, 1), {.framebuffer = surface().framebuffer(), .width = 64, .height = 64});
         EXPECT_TRUE(result) << toString(result.error());
         EXPECT_EQ(gl().GetError(), static_cast<GLenum>(GL_NO_ERROR));
-        return toPicture(readBack());
+        return readBack();
     }
 
     std::vector<Message> m_messages;

@@ -37,8 +37,6 @@ inline constexpr Target kForms[] = {Target::Generic, Target::Vc4};
 /// The shot, drawn with the forms for a GPU.
 Shot withForms(Shot shot, Target target);
 
-inline Picture toPicture(const ReadBack& image) { return image; }
-
 /// What an engine might leave GL at: everything that drawing depends on is another way round.
 void disturbState(const Gl& gl);
 
