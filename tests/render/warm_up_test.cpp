@@ -5,6 +5,7 @@
 #include "support/kiosk_frames.h"
 
 #include <numeric>
+#include <thread>
 
 namespace franken::test {
 namespace {
@@ -115,6 +116,14 @@ TEST_P(WarmUpTest, OverTheBudgetASimplerProgramStandsIn) {
     EXPECT_EQ(small.programCounters().links, 2u);
     EXPECT_EQ(compareLit(readBack(), wanted).max(), 0) << "its turn came";
 }
+
+#ifndef NDEBUG
+TEST_P(WarmUpTest, DrawingInAnotherThreadIsABug) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    Renderer renderer(gl());
+    EXPECT_DEATH(std::thread([&] { (void)renderer.prepare(); }).join(), "outside the thread");
+}
+#endif
 
 TEST_P(WarmUpTest, ALostContextIsWarmedUpAgain) {
     KioskFrames kiosk;

@@ -25,6 +25,7 @@ bool Renderer::State::isShown(const Model& model) const {
 }
 
 Result<void> Renderer::State::upload(Model& model, const Scene& scene) {
+    thread.check();
     if (lost)
         return noContext();
     glState.invalidate();

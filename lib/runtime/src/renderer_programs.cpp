@@ -7,6 +7,7 @@ Error noContext() { return {"renderer.context-lost", "", "there is no context", 
 
 // Goes on after an error: what has a program is drawn.
 Result<void> Renderer::State::resolvePrograms(const DrawTarget* target) {
+    thread.check();
     if (lost)
         return noContext();
     if (resolved)

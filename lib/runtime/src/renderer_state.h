@@ -86,6 +86,7 @@ struct Renderer::State {
 
     Device device() { return {gl, capabilities, memory, log}; }
 
+    OwnThread thread;
     Gl gl; ///< A copy, so that it can be taken away when the context is lost.
     Capabilities capabilities;
     const Log log;
