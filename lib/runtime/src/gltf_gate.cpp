@@ -10,9 +10,9 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 64;
 
-// What one value takes while it is in a document of nlohmann-json, and once more in tinygltf's: a node of a
-// map with its key, or a place in a growing array.
-constexpr std::size_t kMemberBytes = 128, kElementBytes = 48;
+// What one value takes at most while it is in a document of nlohmann-json, and then in tinygltf's: a node of
+// a map with its key, or a place in a growing array, which also costs more time than it takes memory.
+constexpr std::size_t kMemberBytes = 160, kElementBytes = 96;
 
 /// Reads the text without building anything from it, and stops where it goes too far. nlohmann-json's parser
 /// keeps its own stack, so depth does no harm to it.

@@ -121,7 +121,7 @@ bool Walker::readJointMatrices(int index, std::vector<glm::mat4>& joints) {
     const tinygltf::Skin& skin = m_source.model.skins[at(index)];
     const std::size_t matrices =
         skin.inverseBindMatrices == kNone ? 0 : m_source.model.accessors[at(skin.inverseBindMatrices)].count;
-    if (!m_source.charge(skin.joints.size() + matrices, sizeof(glm::mat4), pathOf("skins", index)))
+    if (!m_source.charge(skin.joints.size() + matrices, 2 * sizeof(glm::mat4), pathOf("skins", index)))
         return false;
     joints.assign(skin.joints.size(), glm::mat4(1.0f));
     if (skin.inverseBindMatrices != kNone) {
