@@ -43,6 +43,8 @@ std::vector<MalformedFile> pngs() {
               kPngMagic + pngHeader(8192, 8192, 16, 6) + pngChunk("IDAT", deflatedZeros(99)) + end),
         model("png-depth-3", kPngMagic + pngHeader(16, 16, 3) + pngChunk("IDAT", deflatedZeros(999)) + end),
         model("png-type-9", kPngMagic + pngHeader(16, 16, 8, 9) + pngChunk("IDAT", deflatedZeros(999)) + end),
+        model("png-first-data-chunk-empty",
+              chunks(pngChunk("IDAT", "") + pngChunk("IDAT", deflatedZeros(272)))),
         model("png-palette-missing",
               kPngMagic + pngHeader(16, 16, 8, 3) + pngChunk("IDAT", deflatedZeros(272)) + end),
         model("png-palette-too-long", kPngMagic + pngHeader(16, 16, 8, 3) +

@@ -42,9 +42,26 @@ bool isPng(Bytes encoded) {
            std::equal(kPngMagic.begin(), kPngMagic.end(), encoded.begin());
 }
 
+// Whether the first chunk of pixels is empty. The standard allows it and nobody writes it; stb_image 2.27
+// then copies to where it has allocated nothing.
+bool hasEmptyStart(Bytes encoded) {
+    constexpr std::size_t kAroundChunk = 12; // its length, name and checksum
+    for (Bytes rest = encoded.subspan(kPngMagic.size()); rest.size() >= kAroundChunk;) {
+        const std::size_t length = bigEndian(rest.first(4));
+        if (bigEndian(rest.subspan(4, 4)) == 0x49444154) // "IDAT"
+            return length == 0;
+        if (length > rest.size() - kAroundChunk)
+            return false;
+        rest = rest.subspan(kAroundChunk + length);
+    }
+    return false;
+}
+
 Result<ImageHeader> readPng(Bytes encoded, int maxSize) {
     if (encoded.size() < kPngHeaderEnd || bigEndian(encoded.subspan(12, 4)) != 0x49484452) // "IHDR"
         return formatError("the PNG does not begin with its header");
+    if (hasEmptyStart(encoded))
+        return formatError("the PNG's first chunk of pixels is empty");
     Result<ImageHeader> header =
         sized(bigEndian(encoded.subspan(16, 4)), bigEndian(encoded.subspan(20, 4)), maxSize);
     if (!header)

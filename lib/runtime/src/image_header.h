@@ -29,6 +29,7 @@ struct ImageHeader {
 /// - more pixels than that many bytes can hold: deflate packs 1,032 bytes into one at best, and JPEG spends
 /// at
 ///   least a bit on each block of 64;
+/// - an empty first chunk of pixels in a PNG, which stb_image 2.27 copies to a null pointer;
 /// - a Huffman table of more than 256 symbols in a JPEG, past whose end stb_image 2.27 would write;
 /// - more than 100 scans in a JPEG: each passes over all of the picture, and encoders make about ten.
 ///
