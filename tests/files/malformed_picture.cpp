@@ -94,6 +94,7 @@ std::vector<MalformedFile> jpegs() {
               head + std::string("\xFF\xC4\x00\x13\x00\xFF", 6) + std::string(15, '\xFF') + rest),
         model("jpeg-huffman-codes-too-many-in-a-cut-segment",
               sound.substr(0, scan) + std::string("\xFF\xC4\x20\x00\x00", 5) + std::string(16, '\xFF')),
+        model("jpeg-huffman-tables-missing", sound.substr(0, sound.find("\xFF\xC4")) + sound.substr(scan)),
         model("jpeg-huffman-table-cut-in-its-counts",
               head + std::string("\xFF\xC4\x00\x04\x00\xFF", 6) + rest),
         model("jpeg-huffman-second-table-too-long", head + std::string("\xFF\xC4\x00\x25\x00\x01", 6) +

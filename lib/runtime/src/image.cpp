@@ -35,8 +35,9 @@ void* resize(void* block, std::size_t size) {
     const std::size_t old = blockSize(block);
     if (size > allowance + old)
         return nullptr;
-    void* whole =
-        std::realloc(block ? static_cast<char*>(block) - kBlockHeader : nullptr, kBlockHeader + size);
+    // Zeros, because stb_image 2.27 decodes with tables that a JPEG has never defined.
+    void* whole = block ? std::realloc(static_cast<char*>(block) - kBlockHeader, kBlockHeader + size)
+                        : std::calloc(1, kBlockHeader + size);
     if (!whole)
         return nullptr;
     allowance = allowance + old - size;
