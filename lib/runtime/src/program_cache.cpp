@@ -56,16 +56,6 @@ private:
 ProgramCache::ProgramCache(const Gl& gl, ProgramCacheOptions options)
     : m_gl(&gl), m_options(std::move(options)) {}
 
-const ProgramCache::Entry* ProgramCache::entryOf(Key key) const {
-    m_thread.check();
-    const std::uint32_t place = m_table.find(key);
-    return place == KeyTable::kAbsent ? nullptr : &m_entries[place];
-}
-
-ProgramCache::Entry* ProgramCache::entryOf(Key key) {
-    return const_cast<Entry*>(std::as_const(*this).entryOf(key));
-}
-
 void ProgramCache::begin(const Permutation& permutation) {
     if (entryOf(toKey(permutation)) == nullptr)
         add(permutation);
@@ -94,15 +84,6 @@ Result<ProgramHandle> ProgramCache::get(const Permutation& permutation) {
     ProgramHandle program = entry->program;
     makeRoom(); // Moves entries.
     return program;
-}
-
-ProgramHandle ProgramCache::find(Key key) {
-    Entry* entry = entryOf(key);
-    if (entry == nullptr || !entry->program)
-        return nullptr;
-    ++m_counters.hits;
-    entry->lastUse = ++m_clock;
-    return entry->program;
 }
 
 const Error* ProgramCache::failure(const Permutation& permutation) const {
@@ -146,15 +127,15 @@ void ProgramCache::clear() {
 ProgramCache::Entry& ProgramCache::add(const Permutation& permutation) {
     const Stopwatch stopwatch(m_counters.milliseconds);
     Composed composed = compose(permutation, m_snippets);
-    Entry entry{.permutation = permutation,
+    Entry entry{.program = {},
+                .lastUse = m_counters.hits,
+                .permutation = permutation,
                 .key = toKey(permutation),
                 .vertex = shader(permutation, Stage::Vertex, composed.vertex),
                 .fragment = shader(permutation, Stage::Fragment, composed.fragment),
                 .linked = {},
                 .interface = std::move(composed.interface),
-                .program = {},
-                .error = {},
-                .lastUse = ++m_clock};
+                .error = {}};
     ++m_live;
     const bool broken = entry.vertex->log || entry.fragment->log;
     if (broken) {

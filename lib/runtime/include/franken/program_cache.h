@@ -18,7 +18,7 @@ namespace franken {
 struct ProgramCounters {
     unsigned compiles = 0;   ///< Shaders that the driver was asked to compile.
     unsigned links = 0;      ///< Programs that it was asked to link.
-    unsigned hits = 0;       ///< Look-ups that found a program ready.
+    std::uint64_t hits = 0;  ///< Look-ups that found a program ready.
     unsigned failures = 0;   ///< Programs that did not compile, link or draw.
     unsigned evictions = 0;  ///< Programs that made room for others.
     double milliseconds = 0; ///< Spent in composing, compiling and linking, by the wall clock.
@@ -64,7 +64,13 @@ public:
 
     /// The program of a key that get() has returned and that is still here, else null: the look-up of a warm
     /// run, for those who keep keys.
-    ProgramHandle find(Key key);
+    ProgramHandle find(Key key) {
+        Entry* entry = entryOf(key);
+        if (entry == nullptr || !entry->program)
+            return nullptr;
+        entry->lastUse = ++m_counters.hits;
+        return entry->program;
+    }
 
     /// Why a program failed, or null where it did not (or is not known).
     const Error* failure(const Permutation& permutation) const;
@@ -95,18 +101,22 @@ private:
     };
     /// One of three: pending (a linked name), ready (a program) or failed (an error).
     struct Entry {
+        ProgramHandle program;     // With lastUse, all that a look-up touches: one cache line.
+        std::uint64_t lastUse = 0; ///< ProgramCounters::hits then; of equals, the first is the oldest.
         Permutation permutation;
         Key key;
         std::shared_ptr<Shader> vertex, fragment;
         GlProgram linked;
         Interface interface;
-        ProgramHandle program;
         std::optional<Error> error;
-        std::uint64_t lastUse = 0;
     };
 
-    Entry* entryOf(Key key);
-    const Entry* entryOf(Key key) const;
+    Entry* entryOf(Key key) {
+        m_thread.check();
+        const std::uint32_t place = m_table.find(key);
+        return place == KeyTable::kAbsent ? nullptr : &m_entries[place];
+    }
+    const Entry* entryOf(Key key) const { return const_cast<ProgramCache*>(this)->entryOf(key); }
     Entry& add(const Permutation& permutation);
     std::shared_ptr<Shader> shader(const Permutation& permutation, Stage stage, const ComposedStage& text);
     GlProgram link(const Entry& entry) const;
@@ -126,7 +136,6 @@ private:
     std::vector<Entry> m_entries;
     std::vector<std::shared_ptr<Shader>> m_shaders;
     std::size_t m_live = 0;
-    std::uint64_t m_clock = 0; ///< Counts look-ups.
     bool m_warnedOfGrowth = false;
     ProgramCounters m_counters;
 };
