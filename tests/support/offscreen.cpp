@@ -4,12 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-// OSMesa forgets a few hundred bytes with each context; here because whoever tests pictures links this file.
-// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming)
-extern "C" const char* __lsan_default_suppressions();
-extern "C" const char* __lsan_default_suppressions() { return "leak:libOSMesa"; }
-// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
-
 namespace franken::test {
 
 ReadBack::Pixel ReadBack::pixel(int x, int y) const {
