@@ -100,6 +100,7 @@ std::vector<MalformedFile> jpegs() {
         model("jpeg-huffman-second-table-too-long", head + std::string("\xFF\xC4\x00\x25\x00\x01", 6) +
                                                         std::string(16, '\0') + std::string(1, '\x10') +
                                                         std::string(16, '\xFF') + rest),
+        model("jpeg-bits-end-inside-a-value", jpegOfLongValues()),
         model("jpeg-two-frames", head + sound.substr(frame, 13) + rest),
         model("jpeg-of-101-scans", jpeg(64, 64, true, 101)),
         model("jpeg-of-100000-scans", jpeg(2048, 2048, true, 100000 / 256)),

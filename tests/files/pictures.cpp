@@ -54,18 +54,38 @@ std::string segment(int marker, const std::string& data) {
     return out + data;
 }
 
-/// A Huffman table of one code, "0". `kind`: 0x00 for DC, 0x10 for AC.
-std::string huffmanTable(int kind, int symbol) {
-    std::string data(18, '\0');
+struct HuffmanCode {
+    std::size_t bits; ///< 1 to 16
+    int symbol;
+};
+
+/// The shortest codes first. `kind`: 0x00 for DC, 0x10 for AC.
+std::string huffmanTable(int kind, std::initializer_list<HuffmanCode> codes) {
+    std::string data(17, '\0');
     data[0] = static_cast<char>(kind);
-    data[1] = 1;
-    data[17] = static_cast<char>(symbol);
+    for (const HuffmanCode& code : codes) {
+        ++data[code.bits];
+        data += static_cast<char>(code.symbol);
+    }
     return segment(0xC4, data);
 }
 
-std::string scan(int first, int last, std::size_t bytes) {
+constexpr int kBaseline = 0xC0, kProgressive = 0xC2;
+
+/// A grey JPEG up to its frame.
+std::string jpegHead(int frameMarker, int width, int height) {
+    std::string frame{8};
+    appendBigEndian(frame, static_cast<std::uint32_t>(height), 2);
+    appendBigEndian(frame, static_cast<std::uint32_t>(width), 2);
+    frame += {1, 1, 0x11, 0};
+    return "\xFF\xD8" + segment(0xDB, '\0' + std::string(64, '\1')) + segment(frameMarker, frame);
+}
+
+const char kJpegEnd[] = "\xFF\xD9";
+
+std::string scan(int first, int last, const std::string& bits) {
     const std::string header{1, 1, 0, static_cast<char>(first), static_cast<char>(last), 0};
-    return segment(0xDA, header) + std::string(bytes, '\0');
+    return segment(0xDA, header) + bits;
 }
 
 } // namespace
@@ -115,21 +135,24 @@ std::string png(std::uint32_t width, std::uint32_t height, int depth, int type) 
 }
 
 std::string jpeg(int width, int height, bool progressive, int scans) {
-    std::string frame{8};
-    appendBigEndian(frame, static_cast<std::uint32_t>(height), 2);
-    appendBigEndian(frame, static_cast<std::uint32_t>(width), 2);
-    frame += {1, 1, 0x11, 0};
-    std::string out = "\xFF\xD8" + segment(0xDB, '\0' + std::string(64, '\1')) +
-                      segment(progressive ? 0xC2 : 0xC0, frame) + huffmanTable(0x00, 0) +
-                      huffmanTable(0x10, 0);
+    std::string out = jpegHead(progressive ? kProgressive : kBaseline, width, height) +
+                      huffmanTable(0x00, {{1, 0}}) + huffmanTable(0x10, {{1, 0}});
     const std::size_t blocks =
         (static_cast<std::size_t>(width) + 7) / 8 * ((static_cast<std::size_t>(height) + 7) / 8);
     if (!progressive)
-        return out + scan(0, 63, blocks / 4 + 1) + "\xFF\xD9";
-    out += scan(0, 0, blocks / 8 + 1);
+        return out + scan(0, 63, std::string(blocks / 4 + 1, '\0')) + kJpegEnd;
+    const std::string bits(blocks / 8 + 1, '\0');
+    out += scan(0, 0, bits);
     for (int i = 1; i < scans; ++i)
-        out += scan(1, 63, blocks / 8 + 1);
-    return out + "\xFF\xD9";
+        out += scan(1, 63, bits);
+    return out + kJpegEnd;
+}
+
+// The first block takes 1 bit and 15, the second 9 bits and 15, of which 7 are there.
+std::string jpegOfLongValues() {
+    const std::string bits("\x00\x00\x80\x00", 4);
+    return jpegHead(kProgressive, 32, 8) + huffmanTable(0x00, {{1, 15}, {9, 15}}) + scan(0, 0, bits) +
+           kJpegEnd;
 }
 
 std::string hdrRow(int width) {

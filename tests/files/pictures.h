@@ -21,6 +21,9 @@ extern const char kPngMagic[9];
 /// A grey JPEG in which each block of 8 x 8 takes two bits. A progressive one has the given number of scans.
 std::string jpeg(int width, int height, bool progressive = false, int scans = 1);
 
+/// A grey JPEG whose one scan ends inside the 15 bits of the second block's value.
+std::string jpegOfLongValues();
+
 /// A Radiance picture of `rows` rows, run-length encoded, whose header claims `width` x `height`.
 std::string hdr(int width, int height, int rows);
 /// One run-length encoded row of texels of radiance 1.
