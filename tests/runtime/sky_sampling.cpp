@@ -91,15 +91,16 @@ glm::vec2 whiteSky(float nDotV, float roughness, int samples) {
     return sum / static_cast<float>(samples);
 }
 
-glm::vec3 reflected(const Environment& sky, const Frame& frame, float nDotV, float roughness,
-                    const glm::vec3& f0) {
+Reflected reflected(const Environment& sky, const Frame& frame, float nDotV, float roughness) {
     // Enough for 0.2 codes of noise in the mean: the widest lobes need most.
     const int samples = 3000;
-    glm::vec3 sum(0);
+    Reflected sum;
     sampleLobe(nDotV, roughness, samples, [&](const glm::vec3& l, float weight, float fresnel) {
-        sum += weight * (f0 * (1 - fresnel) + fresnel) * radianceFrom(sky, frame.toWorld(l));
+        const glm::vec3 light = weight / static_cast<float>(samples) * radianceFrom(sky, frame.toWorld(l));
+        sum.byF0 += (1 - fresnel) * light;
+        sum.besides += fresnel * light;
     });
-    return sum / static_cast<float>(samples);
+    return sum;
 }
 
 std::optional<Hit> hitSphere(int x, int y, int size) {

@@ -33,9 +33,13 @@ struct Frame {
 /// How much of a white sky glTF's specular BRDF reflects: F0's factor and the rest.
 glm::vec2 whiteSky(float nDotV, float roughness, int samples);
 
-/// The sky's light off a surface with glTF's specular BRDF whose eye lies towards +X of the frame.
-glm::vec3 reflected(const Environment& sky, const Frame& frame, float nDotV, float roughness,
-                    const glm::vec3& f0);
+/// The sky's light off a surface: what F0 multiplies, and the rest.
+struct Reflected {
+    glm::vec3 byF0{0}, besides{0};
+};
+
+/// By glTF's specular BRDF; the eye lies towards +X of the frame.
+Reflected reflected(const Environment& sky, const Frame& frame, float nDotV, float roughness);
 
 struct Hit {
     glm::vec3 normal, toCamera;
