@@ -45,6 +45,8 @@ std::vector<MalformedFile> pngs() {
         model("png-type-9", kPngMagic + pngHeader(16, 16, 8, 9) + pngChunk("IDAT", deflatedZeros(999)) + end),
         model("png-first-data-chunk-empty",
               chunks(pngChunk("IDAT", "") + pngChunk("IDAT", deflatedZeros(272)))),
+        model("png-cut-in-an-empty-data-chunk",
+              kPngMagic + pngHeader(16, 16) + std::string("\0\0\0\0IDAT", 8)),
         model("png-palette-missing",
               kPngMagic + pngHeader(16, 16, 8, 3) + pngChunk("IDAT", deflatedZeros(272)) + end),
         model("png-palette-too-long", kPngMagic + pngHeader(16, 16, 8, 3) +

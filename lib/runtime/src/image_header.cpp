@@ -45,14 +45,14 @@ bool isPng(Bytes encoded) {
 // Whether the first chunk of pixels is empty. The standard allows it and nobody writes it; stb_image 2.27
 // then copies to where it has allocated nothing.
 bool hasEmptyStart(Bytes encoded) {
-    constexpr std::size_t kAroundChunk = 12; // its length, name and checksum
-    for (Bytes rest = encoded.subspan(kPngMagic.size()); rest.size() >= kAroundChunk;) {
+    constexpr std::size_t kBeforeChunk = 8, kAroundChunk = 12; // its length and name, then its checksum
+    for (Bytes rest = encoded.subspan(kPngMagic.size()); rest.size() >= kBeforeChunk;) {
         const std::size_t length = bigEndian(rest.first(4));
         if (bigEndian(rest.subspan(4, 4)) == 0x49444154) // "IDAT"
             return length == 0;
-        if (length > rest.size() - kAroundChunk)
+        if (length > rest.size())
             return false;
-        rest = rest.subspan(kAroundChunk + length);
+        rest = rest.subspan(std::min(kAroundChunk + length, rest.size()));
     }
     return false;
 }
