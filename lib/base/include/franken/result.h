@@ -39,9 +39,9 @@ public:
     explicit operator bool() const { return has_value(); }
 
     /// The value; calling it where has_value() is false is a bug.
-    T& value() & { return assert(has_value()), *std::get_if<0>(&m_state); }
-    const T& value() const& { return assert(has_value()), *std::get_if<0>(&m_state); }
-    T&& value() && { return assert(has_value()), std::move(*std::get_if<0>(&m_state)); }
+    T& value() & { return *present(std::get_if<0>(&m_state)); }
+    const T& value() const& { return *present(std::get_if<0>(&m_state)); }
+    T&& value() && { return std::move(*present(std::get_if<0>(&m_state))); }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
     T&& operator*() && { return std::move(*this).value(); }
@@ -49,10 +49,15 @@ public:
     const T* operator->() const { return &value(); }
 
     /// The error; calling it where has_value() is true is a bug.
-    const Error& error() const& { return assert(!has_value()), *std::get_if<1>(&m_state); }
-    Error&& error() && { return assert(!has_value()), std::move(*std::get_if<1>(&m_state)); }
+    const Error& error() const& { return *present(std::get_if<1>(&m_state)); }
+    Error&& error() && { return std::move(*present(std::get_if<1>(&m_state))); }
 
 private:
+    template<typename Pointer>
+    static Pointer present(Pointer pointer) {
+        return assert(pointer), pointer;
+    }
+
     std::variant<T, Error> m_state;
 };
 
