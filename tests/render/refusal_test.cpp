@@ -19,13 +19,7 @@ constexpr std::array kRefusals = {Refusal::Compile, Refusal::Link, Refusal::Draw
 // Where most rungs of the ladder matter.
 Shot richShot(AlphaMode alpha = AlphaMode::Opaque) {
     SceneBuilder builder;
-    Material material;
-    material.baseColorTexture.texture =
-        builder.addTexture(checkers(8, 4, {1, 0.6f, 0.2f, 1}, {0.9f, 0.9f, 0.8f, 1}));
-    material.normalTexture.texture =
-        builder.addTexture(bumps(16, 2), Filter::LinearMipmapLinear, Wrap::ClampToEdge);
-    material.metallicRoughnessTexture.texture =
-        builder.addTexture(checkers(8, 2, {1, 0.5f, 0, 1}, {1, 0.9f, 0, 1}));
+    Material material = tiledMaterial(builder);
     material.alphaMode = alpha;
     builder.add(sphere(12), builder.addMaterial(material));
     for (const float x : {-1.0f, -0.5f, 0.5f})

@@ -87,9 +87,9 @@ TEST(SrgbMipmaps, AverageLightNotCodes) {
 }
 
 TEST(SrgbMipmaps, OddSizesLeaveNothingOut) {
-    franken::Image row{"", 5, 1, std::vector<std::uint8_t>(20, 0)};
+    Image row{"", 5, 1, std::vector<std::uint8_t>(20, 0)};
     row.rgba[16] = row.rgba[19] = 255; // The last pixel is red.
-    const std::vector<franken::Image> levels = srgbMipmaps(row);
+    const std::vector<Image> levels = srgbMipmaps(row);
     ASSERT_EQ(levels.size(), 2u);
     ASSERT_EQ(levels[0].width, 2);
     EXPECT_EQ(levels[0].rgba[0], 0);
@@ -100,8 +100,7 @@ TEST(SrgbMipmaps, OddSizesLeaveNothingOut) {
 TEST(SrgbMipmaps, KeepEveryCodeThatIsAlone) {
     for (int code = 0; code < 256; ++code) {
         const auto byte = static_cast<std::uint8_t>(code);
-        const Image flat{
-            "", 3, 1, {byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte}};
+        const Image flat{"", 3, 1, {byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte}};
         EXPECT_EQ(srgbMipmaps(flat)[0].rgba, (std::vector<std::uint8_t>{byte, byte, byte, byte})) << code;
     }
 }

@@ -13,13 +13,7 @@ constexpr std::array kLooks = {Look{}, Look{.toneMap = ToneMap::Aces}};
 // Every alpha mode, wraps of all kinds, factors and textures, vertex colours.
 Scene tiledBall() {
     SceneBuilder builder;
-    Material material;
-    material.baseColorTexture.texture =
-        builder.addTexture(checkers(8, 4, {1, 0.6f, 0.2f, 1}, {0.9f, 0.9f, 0.8f, 1}));
-    material.normalTexture.texture =
-        builder.addTexture(bumps(16, 2), Filter::LinearMipmapLinear, Wrap::MirroredRepeat);
-    material.metallicRoughnessTexture.texture = builder.addTexture(
-        checkers(8, 2, {1, 0.5f, 0, 1}, {1, 0.9f, 1, 1}), Filter::Linear, Wrap::ClampToEdge);
+    Material material = tiledMaterial(builder);
     material.doubleSided = true;
     builder.add(sphere(8), builder.addMaterial(material));
     return builder.scene;

@@ -118,4 +118,15 @@ void SceneBuilder::addSun(const glm::vec3& direction, const glm::vec3& color, fl
         {.name = "sun", .color = color, .intensity = lux, .direction = glm::normalize(direction)});
 }
 
+Material tiledMaterial(SceneBuilder& builder) {
+    Material material;
+    material.baseColorTexture.texture =
+        builder.addTexture(checkers(8, 4, {1, 0.6f, 0.2f, 1}, {0.9f, 0.9f, 0.8f, 1}));
+    material.normalTexture.texture =
+        builder.addTexture(bumps(16, 2), Filter::LinearMipmapLinear, Wrap::MirroredRepeat);
+    material.metallicRoughnessTexture.texture = builder.addTexture(
+        checkers(8, 2, {1, 0.5f, 0, 1}, {1, 0.9f, 1, 1}), Filter::Linear, Wrap::ClampToEdge);
+    return material;
+}
+
 } // namespace franken::test

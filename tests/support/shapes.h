@@ -35,4 +35,8 @@ public:
     Scene scene;
 };
 
+/// Tiles of colour, bumps, and roughness by a texture, each wrapped in another way. The textures are added to
+/// the scene; the material is not.
+Material tiledMaterial(SceneBuilder& builder);
+
 } // namespace franken::test
