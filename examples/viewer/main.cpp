@@ -13,14 +13,19 @@ void logToStderr(LogLevel level, std::string_view message) {
         std::cerr << "viewer: warning: " << message << "\n";
 }
 
+std::optional<Failure> work(Session& session, const Options& options) {
+    if (options.permutations)
+        return session.printPermutations();
+    if (options.watch)
+        watch(session, options);
+    else if (std::optional<Failure> failure = session.draw())
+        return failure;
+    return session.keepManifest();
+}
+
 ExitCode run(const Options& options) {
     Session session(options, logToStderr);
-    if (options.watch) {
-        watch(session, options);
-        return ExitCode::Ok;
-    }
-    const std::optional<Failure> failure =
-        options.permutations ? session.printPermutations() : session.draw();
+    const std::optional<Failure> failure = work(session, options);
     if (!failure)
         return ExitCode::Ok;
     std::cerr << "viewer: error: " << toString(failure->error) << "\n";

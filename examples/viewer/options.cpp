@@ -17,9 +17,12 @@ constexpr char kFooter[] =
     "without a camera and any light it gets a sun and some ambient light.\n"
     "Colours are linear, unless said otherwise. A sun of 3.14 lux makes a white surface that faces it 1.0.\n"
     "--supersample averages encoded colours, as a display and MSAA on these GPUs do.\n"
-    "Exit codes: 0 ok, 2 usage, 3 a file was refused, 4 no context, or the picture cannot be written.\n"
+    "Exit codes: 0 ok, 2 usage, 3 a file was refused, 4 no context, a program that does not compile, or a\n"
+    "file that cannot be written.\n"
     "Example: viewer WaterBottle.gltf -o bottle.png --size 800x600 --sun -1,-1,-0.5:3,3,2.5 --tone-map "
     "neutral";
+
+constexpr unsigned kMaxMebibytes = 4095; // What 32 bits can count the bytes of.
 
 // The whole text is one number.
 float toNumber(const std::string& option, std::string_view text) {
@@ -93,16 +96,37 @@ void addTarget(CLI::App& app, Options& options) {
     app.add_flag("--supersample", options.supersample, "Four samples a pixel");
     addChoice(app, "--backend", options.backend, "What draws",
               {{"osmesa", platform::Backend::OsMesa}, {"egl", platform::Backend::EglSurfaceless}});
-    app.add_flag("--permutations", options.permutations,
-                 "Prints the programs that the model needs, a name a line, and draws nothing");
+}
+
+void addPrograms(CLI::App& app, Options& options) {
+    app.add_flag(
+        "--permutations", options.permutations,
+        "Prints the manifest of the picture, which is the programs that it needs, a name a line, and "
+        "draws nothing");
+    app.add_option("--manifest", options.manifest,
+                   "Makes the programs that this file lists before it draws, as a kiosk does that shows more "
+                   "than one model; adds what it lacks at the end")
+        ->type_name("FILE")
+        ->excludes("--permutations");
+    app.add_flag("--stats", options.stats,
+                 "Prints what was compiled before the frame and in it, and the GPU memory that it took")
+        ->excludes("--permutations");
     app.add_option("--snippets", options.snippets,
                    "Composes from the files of this folder, a source tree's generator/glsl, instead of those "
                    "that are built in")
         ->type_name("FOLDER");
-    app.add_flag(
-           "--watch", options.watch,
-           "Draws again whenever the model or a snippet changes, until it is interrupted; keeps the last "
-           "good picture on an error")
+}
+
+void addLoading(CLI::App& app, Options& options) {
+    app.add_option_function<unsigned>(
+           "--memory", [&options](unsigned mebibytes) { options.memoryBytes = std::size_t{mebibytes} << 20; },
+           "The most that loading the model may take, and loading the sky, in MiB; what needs more is "
+           "refused [240]")
+        ->type_name("MIB")
+        ->check(CLI::Range(1u, kMaxMebibytes).description(""));
+    app.add_flag("--watch", options.watch,
+                 "Draws again whenever the model, the height map, the sky or a snippet changes, until it is "
+                 "interrupted; keeps the last good picture on an error")
         ->excludes("--permutations");
 }
 
@@ -195,6 +219,8 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     addScene(app, options);
     addHeights(app, options);
     addTarget(app, options);
+    addPrograms(app, options);
+    addLoading(app, options);
     addLook(app, options.look);
     try {
         app.parse(argc, argv);

@@ -3,6 +3,7 @@
 
 #include "common/exit_code.h"
 #include "franken/generator/pack.h"
+#include "franken/gltf.h"
 #include "franken/material.h"
 #include "franken/platform/surface.h"
 
@@ -20,7 +21,12 @@ struct Options {
     bool supersample = false;
     bool permutations = false;
     bool watch = false;
+    bool stats = false;
     std::filesystem::path snippets; ///< A folder; empty for those that are built in.
+    std::filesystem::path manifest; ///< Empty for none.
+
+    /// That loading may take: the model, and the sky.
+    std::size_t memoryBytes = franken::LoadOptions{}.maxMemoryBytes;
 
     std::filesystem::path heightMap; ///< Empty for none.
     float heightScale = 0.1f;        ///< From black to white, in the model's unit.

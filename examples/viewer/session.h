@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "picture.h"
+#include "file_times.h"
+#include "studio.h"
 
 /// An error, and what the shell is told of it.
 struct Failure {
@@ -15,18 +16,28 @@ public:
     /// The options must outlive it.
     Session(const Options& options, franken::Log log) : m_options(options), m_log(std::move(log)) {}
 
-    /// Writes the names of the programs that the picture needs to stdout, a name a line.
+    /// Writes the manifest of the picture to stdout.
     std::optional<Failure> printPermutations();
 
     /// Draws what the files hold now, and replaces the picture in one step: where anything fails, the last
-    /// good one is still there. The sky is read once.
+    /// good one is still there. The sky is read again where its files have changed.
     std::optional<Failure> draw();
 
+    /// Adds to the options' manifest, if there is one, what the pictures needed and it has not.
+    std::optional<Failure> keepManifest();
+
 private:
+    std::optional<Failure> readManifest();
     std::optional<Failure> readSky();
     std::optional<Failure> readSubject(Subject& subject);
+    franken::Result<Drawn> drawSubject(const Subject& subject,
+                                       const std::optional<franken::SnippetSet>& snippets);
 
     const Options& m_options;
     franken::Log m_log;
-    std::optional<franken::BakedSky> m_sky;
+    std::shared_ptr<const franken::BakedSky> m_sky;           ///< The last good one.
+    FileTimes m_skyTimes;                                     ///< When it was read.
+    std::optional<std::vector<franken::ProgramUse>> m_listed; ///< In the manifest, once it was read.
+    std::vector<franken::ProgramUse> m_needed;                ///< By all pictures, each once.
+    std::unique_ptr<Studio> m_studio;                         ///< From the first picture on.
 };

@@ -56,8 +56,8 @@ Result<void> applyHeights(Scene& scene, const Options& options) {
     return displace(scene, {.image = *std::move(image), .scale = options.heightScale, .ground = 0.5f});
 }
 
-Result<Lighting> chooseLighting(const Scene& scene, const std::optional<BakedSky>& sky,
-                                const Options& options, const Log& log) {
+Result<Lighting> chooseLighting(const Scene& scene, const BakedSky* sky, const Options& options,
+                                const Log& log) {
     Lighting lighting = lightingOf(scene, log);
     lighting.suns.insert(lighting.suns.end(), options.suns.begin(), options.suns.end());
     if (sky && sky->sun)

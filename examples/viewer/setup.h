@@ -7,8 +7,6 @@
 #include "franken/viewpoint.h"
 #include "options.h"
 
-#include <optional>
-
 /// The file's camera that the options ask for, or one that frames the model where it has none. Fails with
 /// "viewer.camera".
 franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const Options& options);
@@ -17,7 +15,7 @@ franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const
 /// it cannot be read, and as decodeImage() and displace() do.
 franken::Result<void> applyHeights(franken::Scene& scene, const Options& options);
 
-/// The lights of the file and of the options, and what they come down to where there is neither.
-franken::Result<franken::Lighting> chooseLighting(const franken::Scene& scene,
-                                                  const std::optional<franken::BakedSky>& sky,
+/// The lights of the file, of the sky (null for none) and of the options, and what they come down to where
+/// there is neither.
+franken::Result<franken::Lighting> chooseLighting(const franken::Scene& scene, const franken::BakedSky* sky,
                                                   const Options& options, const franken::Log& log);

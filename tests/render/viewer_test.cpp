@@ -1,41 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The viewer as a shell sees it.
-#include "franken/generator/permutation.h"
-#include "support/draw_scene.h"
-#include "support/shell.h"
+#include "franken/manifest.h"
+#include "viewer_run.h"
 
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
-#include <thread>
 
 namespace franken::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kUrn = URN_GLB;
-
-class Viewer : public testing::Test {
-protected:
-    Outcome run(const std::string& arguments) { return runIn(m_folder, VIEWER " " + arguments); }
-
-    void SetUp() override {
-        // OSMesa forgets a few hundred bytes with each context: for a viewer built with AddressSanitizer.
-        const fs::path suppressions = m_folder / "leaks.txt";
-        std::ofstream(suppressions) << "leak:libOSMesa\n";
-        setenv("LSAN_OPTIONS", ("print_suppressions=0:suppressions=" + suppressions.string()).c_str(), 1);
-        setenv("GALLIUM_DRIVER", "softpipe", 0);
-        setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
-    }
-
-    const fs::path m_folder = emptyTestFolder();
-};
 
 TEST_F(Viewer, DrawsTheSamePictureOnBothBackends) {
     const std::string model = std::string(kUrn) + " --size 80x60 ";
@@ -66,15 +39,100 @@ TEST_F(Viewer, SupersamplingMakesEdgesSoft) {
 TEST_F(Viewer, PrintsThePermutationsThatItNeeds) {
     const Outcome outcome = run(std::string(kUrn) + " --permutations --brdf seed");
     EXPECT_EQ(outcome.code, 0) << outcome.err;
-    std::istringstream lines(outcome.out);
-    int count = 0;
-    for (std::string line; std::getline(lines, line); ++count) {
-        const Result<Permutation> permutation = parseName(line);
-        ASSERT_TRUE(permutation) << line;
-        EXPECT_EQ(permutation->brdf, Brdf::Seed) << line;
-    }
-    EXPECT_GE(count, 1);
+    const Result<std::vector<ProgramUse>> uses = parseManifest(outcome.out, "stdout");
+    ASSERT_TRUE(uses) << toString(uses.error());
+    EXPECT_GE(uses->size(), 1u);
+    for (const ProgramUse& use : *uses)
+        EXPECT_EQ(use.permutation.brdf, Brdf::Seed) << toName(use.permutation);
     EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+}
+
+TEST_F(Viewer, CompilesBeforeTheFrameAndNothingInIt) {
+    for (const std::string backend : {"osmesa", "egl"}) {
+        const Outcome outcome = run(std::string(kUrn) + " --size 40x30 --stats --backend " + backend);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err, "") << "a progress line is for terminals";
+        const ViewerStats stats = lastStats(outcome.out);
+        EXPECT_GT(stats.compiled, 1u);
+        EXPECT_GT(stats.linked, 1u);
+        EXPECT_GE(stats.draws, stats.linked - 1) << "one program may be there to reset textures";
+        EXPECT_EQ(stats.failed, 0u);
+        EXPECT_EQ(stats.frameCompiled, 0u);
+        EXPECT_EQ(stats.frameLinked, 0u);
+        EXPECT_GT(stats.primitives, 0u);
+        EXPECT_GT(stats.mebibytes, 0.1f);
+    }
+}
+
+TEST_F(Viewer, AManifestGrowsByWhatItLacksAndIsWarmedUp) {
+    const std::string urn = std::string(kUrn) + " --size 40x30 --stats ";
+    const Outcome first = run(urn + "--manifest kiosk.txt");
+    EXPECT_EQ(first.code, 0) << first.err;
+    EXPECT_NE(first.err.find("nothing is warmed up"), std::string::npos) << first.err;
+    const std::string plain = readText(m_folder / "kiosk.txt");
+    EXPECT_EQ(plain, run(std::string(kUrn) + " --permutations").out);
+
+    const Outcome second = run(urn + "--manifest kiosk.txt --tone-map aces");
+    EXPECT_EQ(second.code, 0);
+    EXPECT_EQ(second.err, "");
+    const ViewerStats both = lastStats(second.out);
+    EXPECT_GT(both.linked, lastStats(run(urn + "--tone-map aces").out).linked);
+    EXPECT_EQ(both.frameLinked, 0u);
+    const std::string grown = readText(m_folder / "kiosk.txt");
+    const auto before = parseManifest(plain, "before"), after = parseManifest(grown, "after");
+    ASSERT_TRUE(before && after);
+    EXPECT_EQ(after->size(), 2 * before->size());
+
+    EXPECT_EQ(lastStats(run(urn + "--manifest kiosk.txt").out).linked, both.linked);
+    EXPECT_EQ(readText(m_folder / "kiosk.txt"), grown);
+}
+
+TEST_F(Viewer, AManifestThatWasCutIsWrittenAnewAndAnotherFileIsNot) {
+    const std::string urn = std::string(kUrn) + " --size 40x30 --manifest ";
+    ASSERT_EQ(run(urn + "kiosk.txt").code, 0);
+    const std::string whole = readText(m_folder / "kiosk.txt");
+    std::ofstream(m_folder / "kiosk.txt") << whole.substr(0, whole.size() - 3);
+    const Outcome cut = run(urn + "kiosk.txt");
+    EXPECT_EQ(cut.code, 0);
+    EXPECT_NE(cut.err.find("[manifest.damaged]"), std::string::npos) << cut.err;
+    EXPECT_EQ(readText(m_folder / "kiosk.txt"), whole);
+
+    const std::string typo = "# mine\nbasecolor+sun1\nbasecolour+sun2\n";
+    std::ofstream(m_folder / "mine.txt") << typo;
+    const Outcome wrong = run(urn + "mine.txt");
+    EXPECT_EQ(wrong.code, 3);
+    EXPECT_NE(wrong.err.find("mine.txt:3"), std::string::npos) << wrong.err;
+    EXPECT_EQ(readText(m_folder / "mine.txt"), typo);
+
+    const Outcome nowhere = run(urn + "no/such/folder.txt -o there.png");
+    EXPECT_EQ(nowhere.code, 4);
+    EXPECT_NE(nowhere.err.find("[manifest.write]"), std::string::npos) << nowhere.err;
+    EXPECT_TRUE(fs::exists(m_folder / "there.png"));
+}
+
+/// 512 x 256 texels of one radiance.
+void writeSky(const fs::path& file) {
+    std::ofstream sky(file, std::ios::binary);
+    sky << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 256 +X 512\n";
+    for (int i = 0; i < 512 * 256; ++i)
+        sky.write("\x40\x40\x40\x80", 4);
+}
+
+TEST_F(Viewer, LoadingTakesNoMoreMemoryThanItMay) {
+    const std::string urn = std::string(kUrn) + " --permutations --memory ";
+    for (const char* wrong : {"0", "4096", "-1", "much"})
+        EXPECT_EQ(run(urn + wrong).code, 2) << wrong;
+    const Outcome refused = run(urn + "1");
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("raise --memory"), std::string::npos) << refused.err;
+    EXPECT_EQ(refused.err.find("LoadOptions"), std::string::npos) << refused.err;
+    EXPECT_EQ(run(urn + "240").code, 0);
+
+    writeSky(m_folder / "flat.hdr");
+    const Outcome sky = run(urn + "1 --skybox flat.hdr");
+    EXPECT_EQ(sky.code, 3);
+    EXPECT_NE(sky.err.find("[sky.limit]"), std::string::npos) << sky.err;
+    EXPECT_NE(sky.err.find("raise --memory"), std::string::npos) << sky.err;
 }
 
 TEST_F(Viewer, HelpShowsAnExample) {
@@ -99,102 +157,8 @@ TEST_F(Viewer, ExitCodesTellWhoseFaultItIs) {
     EXPECT_NE(run("missing.gltf").err.find("missing.gltf"), std::string::npos);
 }
 
-/// A viewer in the background that watches a copy of the model and of the snippets.
-class Watching : public Viewer {
-protected:
-    void SetUp() override {
-        Viewer::SetUp();
-        fs::create_directory(m_folder / "model");
-        fs::copy(kUrn, m_folder / "model");
-        fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", m_folder / "glsl",
-                 fs::copy_options::recursive);
-        m_snippet = readText(m_folder / "glsl/fragment/specular.glsl");
-        m_viewer = fork();
-        if (m_viewer == 0) {
-            const std::string command = "cd " + m_folder.string() + " && exec " VIEWER " model/" +
-                                        fs::path(kUrn).filename().string() +
-                                        " --size 40x30 --snippets glsl --watch 2>err.txt";
-            execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-            _exit(127);
-        }
-    }
-
-    void TearDown() override {
-        kill(m_viewer, SIGTERM);
-        int status = 0;
-        waitpid(m_viewer, &status, 0);
-        EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status << "\n" << err();
-    }
-
-    std::string err() const { return readText(m_folder / "err.txt"); }
-
-    /// Waits until the viewer has said so that often.
-    void await(const std::string& message, int times) {
-        using namespace std::chrono_literals;
-        for (int i = 0; i < 1200; ++i, std::this_thread::sleep_for(50ms)) {
-            int count = 0;
-            const std::string said = err();
-            for (std::size_t at = 0; (at = said.find(message, at)) != std::string::npos; ++at)
-                ++count;
-            if (count >= times)
-                return;
-        }
-        FAIL() << message << " was not said " << times << " times in a minute:\n" << err();
-    }
-
-    void writeSnippet(const std::string& more) {
-        std::ofstream(m_folder / "glsl/fragment/specular.glsl") << m_snippet << more;
-    }
-
-    pid_t m_viewer = 0;
-    std::string m_snippet;
-};
-
-TEST_F(Watching, TakesASnippetAndKeepsTheLastGoodPicture) {
-    const fs::path out = m_folder / "out.png";
-    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 1));
-    const Picture first = readPicture(out);
-
-    writeSnippet("  specular += vec3(0.2, 0.0, 0.0);\n");
-    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 2));
-    const Picture redder = readPicture(out);
-    const Difference difference = compareLit(redder, first);
-    EXPECT_GT(difference.pixels, 100u);
-    EXPECT_GT(difference.bias, 5) << difference;
-
-    writeSnippet("  specular += nonsense;\n"); // Refused by the driver.
-    ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 1));
-    EXPECT_NE(err().find("generator/glsl/fragment/specular.glsl:4"), std::string::npos) << err();
-    EXPECT_NE(err().find("nonsense"), std::string::npos) << err();
-    EXPECT_EQ(readPicture(out).rgba, redder.rgba);
-
-    writeSnippet("//! nonsense\n"); // Refused by the composer.
-    ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 2));
-    EXPECT_NE(err().find("[snippet.syntax]"), std::string::npos) << err();
-    EXPECT_EQ(readPicture(out).rgba, redder.rgba);
-
-    writeSnippet("");
-    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 3));
-    EXPECT_EQ(readPicture(out).rgba, first.rgba);
-}
-
-TEST_F(Watching, TakesAModel) {
-    const fs::path model = m_folder / "model" / fs::path(kUrn).filename();
-    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 1));
-    const Picture urn = readPicture(m_folder / "out.png");
-
-    std::ofstream(model) << "{}";
-    ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 1));
-    EXPECT_EQ(readPicture(m_folder / "out.png").rgba, urn.rgba);
-
-    std::ofstream(model) << R"({"asset": {"version": "2.0"}})"; // Nothing at all.
-    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 2));
-    const Picture nothing = readPicture(m_folder / "out.png");
-    EXPECT_EQ(compareLit(nothing, nothing).pixels, 0u);
-}
-
 TEST_F(Viewer, SnippetsOfItsOwnMustCompile) {
-    fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", m_folder / "glsl", fs::copy_options::recursive);
+    copySnippets();
     const std::string urn = std::string(kUrn) + " --size 40x30 --snippets glsl";
     EXPECT_EQ(run(urn).code, 0);
     std::ofstream(m_folder / "glsl/fragment/specular.glsl", std::ios::app) << "  specular += nonsense;\n";

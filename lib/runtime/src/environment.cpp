@@ -113,7 +113,9 @@ Result<std::vector<std::uint8_t>> readSkyFile(const fs::path& path, std::size_t 
     auto bytes = readFile(path, maxBytes);
     if (bytes)
         return bytes;
-    return Error{"sky.file", path.string(), bytes.error().what, bytes.error().remedy};
+    return Error{"sky.file", path.string(), bytes.error().what,
+                 bytes.error().code == "file.size" ? "make it smaller, or raise the SkyLimits"
+                                                   : bytes.error().remedy};
 }
 
 Result<Environment> loadEnvironment(const fs::path& path, const SkyLimits& limits) {

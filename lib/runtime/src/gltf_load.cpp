@@ -120,10 +120,17 @@ Result<Scene> loadBytes(std::span<const std::uint8_t> bytes, const std::string& 
 } // namespace
 } // namespace gltf
 
+namespace {
+
+constexpr const char* kRaiseFileLimit = "make it smaller, or raise LoadOptions::maxFileBytes";
+
+} // namespace
+
 Result<Scene> loadGltf(const std::filesystem::path& path, const LoadOptions& options, const Log& log) {
     const auto bytes = readFile(path, std::min(options.maxFileBytes, gltf::kMaxParserBytes));
     if (!bytes)
-        return Error{"gltf.file", path.string(), bytes.error().what, bytes.error().remedy};
+        return Error{"gltf.file", path.string(), bytes.error().what,
+                     bytes.error().code == "file.size" ? kRaiseFileLimit : bytes.error().remedy};
     const std::filesystem::path folder = path.parent_path();
     return gltf::loadBytes(*bytes, path.string(), &folder, options, log);
 }
@@ -133,7 +140,7 @@ Result<Scene> loadGltf(std::span<const std::uint8_t> file, const std::string& na
     const std::size_t limit = std::min(options.maxFileBytes, gltf::kMaxParserBytes);
     if (file.size() > limit)
         return Error{"gltf.file", name, "the file is over the limit of " + std::to_string(limit) + " bytes",
-                     "make it smaller, or raise the limit"};
+                     kRaiseFileLimit};
     return gltf::loadBytes(file, name, nullptr, options, log);
 }
 

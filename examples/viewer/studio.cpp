@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "studio.h"
+
+#include "common/progress_bar.h"
+#include "picture.h"
+
+using namespace franken;
+
+namespace {
+
+const SkyCube* backdropOf(const Subject& subject) {
+    return subject.sky && subject.sky->backdrop.size > 0 ? &subject.sky->backdrop : nullptr;
+}
+
+} // namespace
+
+Result<std::vector<ProgramUse>> usesOf(const Subject& subject, const Look& look, const Log& log) {
+    Result<std::vector<ProgramUse>> uses = franken::usesOf(subject.scene, subject.lighting, look, log);
+    if (!uses || !backdropOf(subject))
+        return uses;
+    const Result<ProgramUse> backdrop = skyUse(look);
+    if (!backdrop)
+        return backdrop.error();
+    uses->push_back(*backdrop);
+    return uses;
+}
+
+Result<std::unique_ptr<Studio>> Studio::open(const Options& options, const Log& log) {
+    const int scale = options.supersample ? 2 : 1;
+    Result<std::unique_ptr<platform::Surface>> surface = platform::create(
+        options.backend, {.size = {options.size.width * scale, options.size.height * scale}, .log = log});
+    if (!surface)
+        return surface.error();
+    const Result<Gl> gl = Gl::load((*surface)->getProcAddress());
+    if (!gl)
+        return gl.error();
+    return std::unique_ptr<Studio>(new Studio(options, *std::move(surface), *gl, log));
+}
+
+Result<void> Studio::useSnippets(const SnippetSet& snippets, std::span<const ProgramUse> needed) {
+    ProgramCache trial(m_gl);
+    trial.setSnippets(snippets);
+    for (const ProgramUse& use : needed)
+        if (const Result<ProgramHandle> program = trial.get(use.permutation); !program)
+            return program.error();
+    m_renderer.setSnippets(snippets);
+    m_renderer.invalidateState();
+    return {};
+}
+
+Result<void> Studio::show(const Subject& subject) {
+    if (Result<void> loaded = m_renderer.load(subject.scene); !loaded)
+        return loaded;
+    if (subject.sky != m_sky) {
+        if (Result<void> shown = m_renderer.setBackdrop(backdropOf(subject)); !shown)
+            return shown;
+        if (Result<void> mirrored = m_renderer.setMirror(subject.sky ? &subject.sky->mirror : nullptr);
+            !mirrored)
+            return mirrored;
+        m_sky = subject.sky;
+    }
+    m_renderer.setLighting(subject.lighting);
+    return {};
+}
+
+Result<WarmUpReport> Studio::warmUp(const DrawTarget& target, std::span<const ProgramUse> needed,
+                                    std::span<const ProgramUse> listed) {
+    std::vector<ProgramUse> uses(needed.begin(), needed.end());
+    uses.insert(uses.end(), listed.begin(), listed.end());
+    ProgressBar bar("making programs");
+    return m_renderer.warmUp(target, uses, [&bar](std::size_t done, std::size_t total) {
+        bar.show(static_cast<float>(done) / static_cast<float>(total));
+    });
+}
+
+Result<void> Studio::drawFrame(const Subject& subject, const DrawTarget& target, Drawn& drawn) {
+    const Camera camera = tightened(subject.camera, subject.scene.bounds());
+    const double aspect = static_cast<double>(target.width) / target.height;
+    if (Result<void> result = m_renderer.draw(viewpointOf(camera, aspect), target); !result)
+        return result;
+    drawn.after = m_renderer.programCounters();
+    drawn.frame = m_renderer.frameCounters();
+    drawn.gpuBytes = m_renderer.memory().used();
+    const std::vector<ProgramUse> misses = m_renderer.takeMisses();
+    drawn.needed.insert(drawn.needed.end(), misses.begin(), misses.end());
+    drawn.picture = readTopDown(m_gl, *m_surface);
+    if (m_options.supersample)
+        drawn.picture = halved(drawn.picture);
+    return {};
+}
+
+Result<Drawn> Studio::draw(const Subject& subject, std::span<const ProgramUse> listed,
+                           const std::optional<SnippetSet>& snippets) {
+    Look look = m_options.look;
+    look.srgbTarget = m_surface->srgbTarget();
+    Result<std::vector<ProgramUse>> needed = usesOf(subject, look, {});
+    if (!needed)
+        return needed.error();
+    Drawn drawn;
+    drawn.needed = *std::move(needed);
+    drawn.before = m_renderer.programCounters();
+    if (snippets)
+        if (Result<void> used = useSnippets(*snippets, drawn.needed); !used)
+            return used.error();
+    if (Result<void> shown = show(subject); !shown)
+        return shown.error();
+    m_renderer.setLook(look);
+    const DrawTarget target{.framebuffer = m_surface->framebuffer(),
+                            .width = m_surface->size().width,
+                            .height = m_surface->size().height,
+                            .background = m_options.background};
+    const Result<WarmUpReport> warm = warmUp(target, drawn.needed, listed);
+    if (!warm)
+        return warm.error();
+    drawn.warmUp = *warm;
+    drawn.warm = m_renderer.programCounters();
+    if (Result<void> frame = drawFrame(subject, target, drawn); !frame)
+        return frame.error();
+    return drawn;
+}
