@@ -10,9 +10,10 @@ namespace {
 
 std::size_t unitOf(const char* sampler) { return static_cast<std::size_t>(samplerUnit(sampler)); }
 
-Encoding encodingOf(std::size_t unit) {
-    const bool color = unit == unitOf("uBaseColorTexture") || unit == unitOf("uEmissiveTexture");
-    return color ? Encoding::Srgb : Encoding::Linear;
+TextureContents textureContents(std::size_t unit) {
+    if (unit == unitOf("uBaseColorTexture") || unit == unitOf("uEmissiveTexture"))
+        return TextureContents::Color;
+    return unit == unitOf("uNormalTexture") ? TextureContents::Normals : TextureContents::Numbers;
 }
 
 class Uploader {
@@ -88,7 +89,7 @@ private:
         if (!texture.texture) {
             const Texture& source = m_scene.textures[static_cast<std::size_t>(index)];
             const Image& image = m_scene.images[static_cast<std::size_t>(source.image)];
-            Result<GpuTexture> made = uploadTexture(m_device, image, source, encodingOf(unit));
+            Result<GpuTexture> made = uploadTexture(m_device, image, source, textureContents(unit));
             if (!made)
                 return made.error();
             texture = *std::move(made);

@@ -31,7 +31,7 @@ Result<GpuMirror> uploadMirror(const Device& device, const SkyMirror& mirror) {
                      "filter the sky to a smaller size"};
     GpuMirror gpu(device.gl);
     for (const auto& [texture, image] : {std::pair(&gpu.atlas, &atlas), {&gpu.lookup, &mirror.lookup}}) {
-        Result<GpuTexture> uploaded = uploadTexture(device, *image, kClamped, Encoding::Linear);
+        Result<GpuTexture> uploaded = uploadTexture(device, *image, kClamped, TextureContents::Numbers);
         if (!uploaded)
             return uploaded.error();
         *texture = *std::move(uploaded);

@@ -2,7 +2,6 @@
 #include "gpu_texture.h"
 
 #include "mipmap.h"
-#include "resample.h"
 
 #include <algorithm>
 #include <bit>
@@ -73,9 +72,9 @@ void uploadPixels(const Gl& gl, GLenum target, const Image& image, GLint level =
                   image.rgba.data());
 }
 
-void uploadLevels(const Gl& gl, const Image& image, bool mipmaps, Encoding encoding) {
+void uploadLevels(const Gl& gl, const Image& image, bool mipmaps, TextureContents contents) {
     uploadPixels(gl, GL_TEXTURE_2D, image);
-    if (mipmaps && encoding == Encoding::Linear)
+    if (mipmaps && contents != TextureContents::Color)
         gl.GenerateMipmap(GL_TEXTURE_2D);
     else if (mipmaps)
         for (GLint level = 0; const Image& smaller : srgbMipmaps(image))
@@ -112,7 +111,7 @@ std::size_t textureBytes(TextureSize size, bool mipmaps) {
 }
 
 Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const Texture& texture,
-                                 Encoding encoding) {
+                                 TextureContents contents) {
     const auto& [gl, capabilities, memory, log] = device;
     const TextureSize size = fittedSize(image, texture, capabilities);
     const bool mipmaps = hasMipmaps(texture);
@@ -126,9 +125,9 @@ Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const
     GlTexture name(gl, generate(gl.GenTextures));
     bind(gl, GL_TEXTURE_2D, name, texture);
     if (size == TextureSize{image.width, image.height})
-        uploadLevels(gl, image, mipmaps, encoding);
+        uploadLevels(gl, image, mipmaps, contents);
     else
-        uploadLevels(gl, resampled(image, size.width, size.height), mipmaps, encoding);
+        uploadLevels(gl, resampled(image, size.width, size.height, texture, contents), mipmaps, contents);
     return GpuTexture{std::move(name), *std::move(lease)};
 }
 

@@ -7,6 +7,7 @@
 #include "franken/gpu_memory.h"
 #include "franken/log.h"
 #include "franken/scene.h"
+#include "resample.h"
 
 #include <array>
 
@@ -34,9 +35,6 @@ struct TextureSize {
 /// two where they must be because the texture repeats or has mipmaps.
 TextureSize fittedSize(const Image& image, const Texture& texture, const Capabilities& capabilities);
 
-/// What the colour channels of a texture hold. Alpha is always linear.
-enum class Encoding { Linear, Srgb };
-
 /// Of an RGBA8 texture.
 std::size_t textureBytes(TextureSize size, bool mipmaps);
 
@@ -44,7 +42,7 @@ std::size_t textureBytes(TextureSize size, bool mipmaps);
 /// where the GPU's limit is the reason. Fails with "memory.budget". This and the next two leave the texture
 /// bound to unit 0.
 Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const Texture& texture,
-                                 Encoding encoding);
+                                 TextureContents contents);
 
 /// One texel.
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba);

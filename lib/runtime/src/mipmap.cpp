@@ -1,32 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "mipmap.h"
 
+#include "srgb_tables.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace franken {
 namespace {
-
-constexpr std::size_t kSteps = 16'384; // Of light; a quarter of a code apart where the curve is steepest.
-
-/// The sRGB curve (IEC 61966-2-1) both ways.
-struct Tables {
-    std::array<float, 256> light;
-    std::array<std::uint8_t, kSteps + 1> code;
-
-    Tables() {
-        for (std::size_t i = 0; i < light.size(); ++i) {
-            const double c = static_cast<double>(i) / 255;
-            light[i] = static_cast<float>(c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
-        }
-        for (std::size_t i = 0; i < code.size(); ++i) {
-            const double l = static_cast<double>(i) / kSteps;
-            const double c = l <= 0.0031308 ? 12.92 * l : 1.055 * std::pow(l, 1 / 2.4) - 0.055;
-            code[i] = static_cast<std::uint8_t>(std::lround(255 * c));
-        }
-    }
-};
 
 /// The pixels along an axis that one pixel of half the size covers: of an odd size, three in part, because
 /// the pixels of the smaller picture are a little wider than two.
@@ -48,7 +30,7 @@ Taps tapsAt(int x, int size) {
 }
 
 std::array<std::uint8_t, 4> meanOf(const Image& image, const Taps& across, const Taps& down) {
-    static const Tables tables;
+    const SrgbTables& tables = SrgbTables::get();
     std::array<float, 4> sum{};
     for (std::size_t j = 0; j < 3; ++j)
         for (std::size_t i = 0; i < 3; ++i) {
@@ -58,13 +40,10 @@ std::array<std::uint8_t, 4> meanOf(const Image& image, const Taps& across, const
             const std::uint8_t* const rgba = image.rgba.data() + 4 * pixel;
             const float weight = across.weight[i] * down.weight[j];
             for (std::size_t channel = 0; channel < 3; ++channel)
-                sum[channel] += weight * tables.light[rgba[channel]];
+                sum[channel] += weight * tables.lightOf(rgba[channel]);
             sum[3] += weight * static_cast<float>(rgba[3]);
         }
-    const auto code = [](float light) {
-        return tables.code[static_cast<std::size_t>(std::lround(std::min(light, 1.0f) * kSteps))];
-    };
-    return {code(sum[0]), code(sum[1]), code(sum[2]),
+    return {tables.codeOf(sum[0]), tables.codeOf(sum[1]), tables.codeOf(sum[2]),
             static_cast<std::uint8_t>(std::lround(std::min(sum[3], 255.0f)))};
 }
 

@@ -140,7 +140,7 @@ const GlTexture& ProgramProbe::texture(Type type, DrawState::Wraps wraps) {
         made.texture = uploadCube(*m_gl, cube);
     } else {
         const Device device{*m_gl, m_capabilities, m_memory, m_log};
-        made = *uploadTexture(device, white, {.wrapS = wraps.s, .wrapT = wraps.t}, Encoding::Linear);
+        made = *uploadTexture(device, white, {.wrapS = wraps.s, .wrapT = wraps.t}, TextureContents::Numbers);
     }
     m_state.invalidate();
     return made.texture;

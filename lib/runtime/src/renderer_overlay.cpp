@@ -89,7 +89,7 @@ Result<void> Renderer::State::uploadPicture(Picture& picture, const Image& image
     if (lost)
         return noContext();
     glState.invalidate();
-    Result<GpuTexture> uploaded = uploadTexture(device(), image, kClamped, Encoding::Srgb);
+    Result<GpuTexture> uploaded = uploadTexture(device(), image, kClamped, TextureContents::Color);
     if (!uploaded)
         return uploaded.error();
     picture.texture = *std::move(uploaded);
