@@ -142,6 +142,137 @@ TEST_P(OverlayTest, PicturesAreCountedAndComeBackAfterALostContext) {
     EXPECT_EQ(renderer.memory().used(), 16u * 16 * 4);
 }
 
+/// 16 x 16 texels of one grey.
+constexpr std::size_t kPictureBytes = 16u * 16 * 4;
+
+Image grey(int code) {
+    return paint(16, [code](glm::vec2) { return glm::vec4(glm::vec3(static_cast<float>(code) / 255), 1); });
+}
+
+/// Pictures with a source that counts how often it is asked.
+class OverlayBudgetTest : public OverlayTest {
+protected:
+    PictureId add(Renderer& renderer, int code) {
+        const Result<PictureId> picture = renderer.addPicture(grey(code), [this, code]() -> Result<Image> {
+            m_reads.push_back(code);
+            return grey(code);
+        });
+        EXPECT_TRUE(picture) << toString(picture.error());
+        return *picture;
+    }
+
+    int codeOf(Renderer& renderer, PictureId picture) {
+        return drawn(renderer, {{{.picture = picture, .place = {0, 0, 16, 16}}}}).pixel(8, 8)[0];
+    }
+
+    std::vector<int> m_reads;
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, OverlayBudgetTest, allBackends(), backendName);
+
+TEST_P(OverlayBudgetTest, PicturesDrawnLongestAgoMakeRoomAndComeBack) {
+    Renderer renderer(gl());
+    renderer.memory().setBudget(2 * kPictureBytes + 100);
+    const PictureId one = add(renderer, 50), two = add(renderer, 100);
+    EXPECT_EQ(codeOf(renderer, two), 100);
+    EXPECT_EQ(codeOf(renderer, one), 50);
+    const PictureId three = add(renderer, 150);
+    EXPECT_EQ(renderer.memory().evictions(), 1u) << "the second, which was drawn before the first";
+    EXPECT_EQ(codeOf(renderer, one), 50);
+    EXPECT_EQ(codeOf(renderer, three), 150);
+    EXPECT_TRUE(m_reads.empty());
+    EXPECT_EQ(codeOf(renderer, two), 100);
+    EXPECT_EQ(m_reads, std::vector<int>{100});
+    EXPECT_EQ(codeOf(renderer, one), 50);
+    EXPECT_EQ(m_reads, (std::vector<int>{100, 50}));
+    EXPECT_EQ(renderer.memory().evictions(), 3u);
+    EXPECT_EQ(renderer.memory().used(), 2 * kPictureBytes);
+}
+
+TEST_P(OverlayBudgetTest, WhatAFrameShowsStays) {
+    Renderer renderer(gl());
+    renderer.memory().setBudget(2 * kPictureBytes + 100);
+    const PictureId one = add(renderer, 50), two = add(renderer, 100), three = add(renderer, 150);
+    const auto quad = [](PictureId picture, float x) {
+        return OverlayQuad{.picture = picture, .place = {x, 0, 16, 16}};
+    };
+    const ReadBack both = drawn(renderer, {{quad(one, 0), quad(three, 16)}});
+    EXPECT_EQ(both.pixel(8, 8)[0], 50);
+    EXPECT_EQ(both.pixel(24, 8)[0], 150);
+    const Result<void> tooMany = renderer.drawOverlay({{quad(two, 0)}}, target());
+    ASSERT_FALSE(tooMany) << "the same frame shows two others";
+    EXPECT_EQ(tooMany.error().code, "memory.budget");
+    EXPECT_EQ(readBack().rgba, both.rgba);
+    EXPECT_EQ(renderer.addPicture(grey(200)).error().code, "memory.budget");
+    EXPECT_EQ(codeOf(renderer, two), 100) << "the next frame may";
+    EXPECT_EQ(renderer.drawOverlay({{quad(one, 0), quad(two, 0), quad(three, 0)}}, target()).error().code,
+              "memory.budget");
+}
+
+TEST_P(OverlayBudgetTest, PicturesWithoutASourceStay) {
+    Renderer renderer(gl());
+    renderer.memory().setBudget(2 * kPictureBytes + 100);
+    const Result<PictureId> kept = renderer.addPicture(grey(50));
+    ASSERT_TRUE(kept);
+    const PictureId other = add(renderer, 100), third = add(renderer, 150);
+    EXPECT_EQ(codeOf(renderer, *kept), 50);
+    EXPECT_EQ(codeOf(renderer, other), 100);
+    EXPECT_EQ(codeOf(renderer, third), 150);
+    EXPECT_EQ(m_reads, (std::vector<int>{100, 150}));
+    EXPECT_EQ(codeOf(renderer, *kept), 50);
+    ASSERT_TRUE(renderer.addPicture(grey(200)));
+    EXPECT_EQ(renderer.addPicture(grey(250)).error().code, "memory.budget");
+}
+
+TEST_P(OverlayBudgetTest, ModelsAndPicturesMakeRoomForEachOther) {
+    Renderer renderer(gl());
+    const Scene tiled = [] {
+        SceneBuilder builder;
+        Material material;
+        material.baseColorTexture.texture =
+            builder.addTexture(grey(30)); // With mipmaps: more than a picture.
+        builder.add(square(), builder.addMaterial(material));
+        return builder.scene;
+    }();
+    const SceneSource source = [&] { return Result<Scene>(tiled); };
+    const Result<ModelId> shown = renderer.add(tiled, source), hidden = renderer.add(tiled, source);
+    ASSERT_TRUE(shown && hidden);
+    ASSERT_TRUE(renderer.show({{*hidden}}));
+    ASSERT_TRUE(renderer.show({{*shown}}));
+    const std::size_t modelBytes = renderer.memory().used() / 2;
+    const PictureId one = add(renderer, 50);
+    EXPECT_EQ(codeOf(renderer, one), 50);
+    renderer.memory().setBudget(renderer.memory().used());
+    const PictureId two = add(renderer, 100);
+    EXPECT_EQ(renderer.memory().used(), modelBytes + 2 * kPictureBytes) << "the model was shown before";
+    EXPECT_EQ(codeOf(renderer, two), 100);
+    EXPECT_TRUE(m_reads.empty());
+    ASSERT_TRUE(renderer.show({{*shown, *hidden}})) << "the first picture makes room";
+    EXPECT_EQ(renderer.memory().used(), 2 * modelBytes + kPictureBytes);
+    EXPECT_EQ(codeOf(renderer, two), 100);
+    EXPECT_TRUE(m_reads.empty());
+}
+
+TEST_P(OverlayBudgetTest, ASourceThatFailsSaysSoAndIsAskedAgain) {
+    Renderer renderer(gl());
+    bool broken = false;
+    const Result<PictureId> picture = renderer.addPicture(grey(50), [&]() -> Result<Image> {
+        if (broken)
+            return Error{"test.unplugged", "", "the stick is gone", "plug it in"};
+        return grey(50);
+    });
+    ASSERT_TRUE(picture);
+    renderer.memory().setBudget(kPictureBytes);
+    const PictureId other = add(renderer, 100);
+    EXPECT_EQ(codeOf(renderer, other), 100);
+    broken = true;
+    EXPECT_TRUE(renderer.draw(viewpointOf(Camera{}, 1), target()));
+    const std::vector<OverlayQuad> quads = {{.picture = *picture, .place = {0, 0, 16, 16}}};
+    EXPECT_EQ(renderer.drawOverlay(quads, target()).error().code, "test.unplugged");
+    broken = false;
+    EXPECT_EQ(codeOf(renderer, *picture), 50);
+}
+
 TEST_P(OverlayTest, WarmUpTakesItsProgram) {
     Renderer renderer(gl());
     const ProgramUse use = overlayUse({});

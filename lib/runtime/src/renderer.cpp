@@ -52,11 +52,13 @@ void Renderer::setLook(const Look& look) {
 
 void Renderer::setSnippets(const SnippetSet& snippets) {
     m_state->programs.setSnippets(snippets);
+    m_state->overlayProgram.reset();
     m_state->resolved = false;
 }
 
 Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
     State& state = *m_state;
+    state.frameBegan = ++state.clock;
     state.programs.beginFrame();
     Result<void> resolved = state.resolvePrograms(&target);
     if (state.lost)

@@ -79,10 +79,9 @@ Result<void> Renderer::restore(const Gl& gl, const Capabilities& capabilities) {
         const Result<SkyMirror> mirror = state.mirrorSource();
         keepFirst(mirror ? state.uploadMirror(*mirror) : Result<void>(mirror.error()));
     }
-    for (Picture& picture : state.pictures) {
-        const Result<Image> image = picture.source ? picture.source() : noSource();
-        keepFirst(image ? state.uploadPicture(picture, *image) : Result<void>(image.error()));
-    }
+    for (const Picture& picture : state.pictures)
+        if (!picture.source)
+            keepFirst(noSource());
     return result;
 }
 

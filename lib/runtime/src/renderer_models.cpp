@@ -48,7 +48,8 @@ Result<void> Renderer::State::makeResident(Model& model) {
     return scene ? upload(model, *scene) : scene.error();
 }
 
-bool Renderer::State::evictOne() {
+/// Of those that nothing needs and that can be read again; likewise pictures.
+Model* Renderer::State::oldestModel() {
     Model* oldest = nullptr;
     for (const std::unique_ptr<Model>& model : models) {
         const bool needed =
@@ -57,9 +58,27 @@ bool Renderer::State::evictOne() {
             (oldest == nullptr || model->lastShown < oldest->lastShown))
             oldest = model.get();
     }
-    if (oldest == nullptr)
+    return oldest;
+}
+
+Picture* Renderer::State::oldestPicture() {
+    Picture* oldest = nullptr;
+    for (Picture& picture : pictures)
+        if (picture.texture.texture && picture.source && picture.lastDrawn < frameBegan &&
+            (oldest == nullptr || picture.lastDrawn < oldest->lastDrawn))
+            oldest = &picture;
+    return oldest;
+}
+
+bool Renderer::State::evictOne() {
+    Model* const model = oldestModel();
+    Picture* const picture = oldestPicture();
+    if (model == nullptr && picture == nullptr)
         return false;
-    oldest->gpu.reset();
+    if (model == nullptr || (picture != nullptr && picture->lastDrawn < model->lastShown))
+        picture->texture = {};
+    else
+        model->gpu.reset();
     glState.invalidate();
     return true;
 }
@@ -83,14 +102,16 @@ void Renderer::State::addObjects(const GpuScene& scene) {
 }
 
 void Renderer::State::setShown(std::vector<Model*> list) {
+    ++clock;
+    for (Model* model : shown)
+        model->lastShown = clock;
     shown = std::move(list);
     wanted.clear();
     opaque.clear();
     blended.clear();
     backToFront.clear();
-    ++shows;
     for (Model* model : shown) {
-        model->lastShown = shows;
+        model->lastShown = clock;
         addObjects(*model->gpu);
     }
     resolved = false;
@@ -101,7 +122,7 @@ Result<ModelId> Renderer::add(const Scene& scene, SceneSource source) {
     auto model = std::make_unique<Model>(Model{ModelId{++state.lastId}, std::move(source)});
     if (Result<void> uploaded = state.upload(*model, scene); !uploaded)
         return uploaded.error();
-    model->lastShown = state.shows;
+    model->lastShown = state.clock;
     state.models.push_back(std::move(model));
     return state.models.back()->id;
 }

@@ -73,7 +73,8 @@ ProgramUse overlayUse(const Look& look) {
 
 Result<PictureId> Renderer::addPicture(const Image& image, PictureSource source) {
     State& state = *m_state;
-    Picture picture{PictureId{++state.lastId}, std::move(source), {}};
+    // Not drawn yet: older than all that this frame drew.
+    Picture picture{PictureId{++state.lastId}, std::move(source), state.frameBegan - 1};
     if (Result<void> uploaded = state.uploadPicture(picture, image); !uploaded)
         return uploaded.error();
     state.pictures.push_back(std::move(picture));
@@ -92,14 +93,41 @@ Result<void> Renderer::State::uploadPicture(Picture& picture, const Image& image
     Result<GpuTexture> uploaded = uploadTexture(device(), image, kClamped, TextureContents::Color);
     if (!uploaded)
         return uploaded.error();
+    if (Result<void> checked = checkMemory(gl); !checked)
+        return checked;
     picture.texture = *std::move(uploaded);
-    return checkMemory(gl);
+    return {};
 }
 
-GLuint Renderer::State::textureOf(PictureId id) const {
+Picture* Renderer::State::find(PictureId id) {
     const auto found = std::find_if(pictures.begin(), pictures.end(),
                                     [&](const Picture& picture) { return picture.id == id; });
-    return found == pictures.end() ? 0 : found->texture.texture.name();
+    return found == pictures.end() ? nullptr : &*found;
+}
+
+Result<void> Renderer::State::makeResident(Picture& picture) {
+    if (picture.texture.texture)
+        return {};
+    const Result<Image> image = picture.source();
+    return image ? uploadPicture(picture, *image) : image.error();
+}
+
+// All are marked before the first is uploaded: none makes room for another.
+Result<void> Renderer::State::prepareOverlay(std::span<const OverlayQuad> quads) {
+    std::vector<Picture*> needed;
+    for (const OverlayQuad& quad : quads) {
+        Picture* const picture =
+            !needed.empty() && needed.back()->id == quad.picture ? needed.back() : find(quad.picture);
+        if (picture == nullptr || !(picture->texture.texture || picture->source))
+            return noPicture();
+        picture->lastDrawn = clock;
+        if (needed.empty() || needed.back() != picture)
+            needed.push_back(picture);
+    }
+    for (Picture* picture : needed)
+        if (Result<void> made = makeResident(*picture); !made)
+            return made;
+    return {};
 }
 
 void Renderer::State::makeOverlayBuffers() {
@@ -152,7 +180,7 @@ void Renderer::State::drawQuads(std::span<const OverlayQuad> quads, unsigned att
     for (std::size_t first = 0, next = 0; first < quads.size(); first = next) {
         while (next < quads.size() && quads[next].picture == quads[first].picture)
             ++next;
-        glState.bindTexture(0, GL_TEXTURE_2D, textureOf(quads[first].picture));
+        glState.bindTexture(0, GL_TEXTURE_2D, find(quads[first].picture)->texture.texture.name());
         gl.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(kQuadIndices * (next - first)), GL_UNSIGNED_SHORT,
                         at(kQuadIndices * first * sizeof(std::uint16_t)));
     }
@@ -162,11 +190,10 @@ Result<void> Renderer::drawOverlay(std::span<const OverlayQuad> quads, const Dra
     State& state = *m_state;
     if (state.lost)
         return noContext();
-    const auto known = [&](const OverlayQuad& quad) { return state.textureOf(quad.picture) != 0; };
-    if (!std::all_of(quads.begin(), quads.end(), known))
-        return noPicture();
     if (quads.empty())
         return {};
+    if (Result<void> prepared = state.prepareOverlay(quads); !prepared)
+        return prepared;
     if (!state.overlayProgram) {
         // In a target of the supply's own: this one's picture is to stay.
         const Result<ProgramSupply::Supplied> supplied = state.programs.get(overlayUse(state.look), nullptr);

@@ -22,14 +22,15 @@ struct Model {
     ModelId id;
     SceneSource source; ///< May be empty.
     std::optional<GpuScene> gpu = {};
-    std::uint64_t lastShown = 0; ///< By State::shows.
+    std::uint64_t lastShown = 0; ///< By State::clock.
 };
 
-/// A picture for overlays; without a texture where it was lost.
+/// A picture for overlays, on the GPU or not.
 struct Picture {
     PictureId id;
-    PictureSource source; ///< May be empty.
-    GpuTexture texture;
+    PictureSource source;        ///< May be empty.
+    std::uint64_t lastDrawn = 0; ///< By State::clock.
+    GpuTexture texture = {};
 };
 
 /// A drawable of a model that is shown: all that a frame reads of it, in one place.
@@ -54,6 +55,8 @@ struct Renderer::State {
     Result<void> upload(Model& model, const Scene& scene);
     Result<void> makeResident(Model& model);
     bool evictOne();
+    Model* oldestModel();
+    Picture* oldestPicture();
     void setShown(std::vector<Model*> models);
     void addObjects(const GpuScene& scene);
 
@@ -79,7 +82,9 @@ struct Renderer::State {
     void drawBackdrop();
 
     Result<void> uploadPicture(Picture& picture, const Image& image);
-    GLuint textureOf(PictureId id) const; ///< 0 where there is none.
+    Picture* find(PictureId id);
+    Result<void> makeResident(Picture& picture);
+    Result<void> prepareOverlay(std::span<const OverlayQuad> quads);
     void makeOverlayBuffers();
     void beginOverlay(ShaderProgram& program, const DrawTarget& target);
     void drawQuads(std::span<const OverlayQuad> quads, unsigned attributes);
@@ -101,7 +106,9 @@ struct Renderer::State {
     std::vector<std::unique_ptr<Model>> models;
     std::vector<Model*> shown, wanted; ///< Neither is evicted; `wanted` is about to be shown.
     unsigned lastId = 0;
-    std::uint64_t shows = 0;
+    /// Ticks with each frame and each change of what is shown. Pictures drawn since `frameBegan` are not
+    /// evicted.
+    std::uint64_t clock = 1, frameBegan = 1;
 
     std::vector<Object> opaque, blended;    ///< Of all that is shown; `opaque` in its order of drawing.
     std::vector<const Object*> backToFront; ///< Those of `blended` that are visible.

@@ -13,7 +13,8 @@ namespace franken {
 /// A picture that a renderer holds for overlays; never given to another one.
 enum class PictureId : unsigned {};
 
-/// Makes a picture again after a lost context; see SceneSource.
+/// Makes a picture again that was lost with the context or made room for others; see SceneSource. Called from
+/// drawOverlay().
 using PictureSource = std::function<Result<Image>()>;
 
 /// Right and down from the upper left corner.

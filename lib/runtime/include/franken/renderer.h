@@ -26,7 +26,7 @@ namespace franken {
 enum class ModelId : unsigned {};
 
 /// Makes again what the GPU lost or gave up, from where it came: reads the file again, so that no pixels are
-/// kept in memory for that. Called from show() and restore(), in their thread.
+/// kept in memory for that. Called from show() and restore(), in their thread; must not call the renderer.
 using SceneSource = std::function<Result<Scene>()>;
 using SkySource = std::function<Result<SkyCube>()>;
 using MirrorSource = std::function<Result<SkyMirror>()>;
@@ -42,7 +42,8 @@ struct FrameCounters {
 ///
 /// A renderer holds any number of models on the GPU and shows some of them. Where its memory has a budget
 /// (see memory()), models that are not shown and have a source are given up, those shown longest ago first,
-/// and read again when they are shown. A kiosk that changes models:
+/// and read again when they are shown. Likewise pictures for overlays that were not drawn since the last
+/// draw(). A kiosk that changes models:
 ///
 ///     const SceneSource vase = [] { return loadGltf("vase.glb"); };
 ///     const Result<ModelId> id = renderer.add(*scene, vase); // The scene may come from another thread.
@@ -119,12 +120,15 @@ public:
     /// "renderer.context-lost" between contextLost() and restore().
     Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
 
-    /// Uploads a picture for overlays. Fails as add() does. Without a source it is lost with the context.
+    /// Uploads a picture for overlays. Fails as add() does. Without a source it is never given up, and is
+    /// lost with the context.
     Result<PictureId> addPicture(const Image& picture, PictureSource source = {});
     void removePicture(PictureId picture);
 
-    /// Draws rectangles in their order on top of what the target shows; what lies outside is cut off. Fails
-    /// with "renderer.picture" for an unknown or lost picture, then without drawing, and as prepare() does.
+    /// Draws rectangles in their order on top of what the target shows; what lies outside is cut off. Reads
+    /// pictures again that were given up. Fails without drawing: with "renderer.picture" for an unknown or
+    /// lost picture, as a source does, with "memory.budget" where the pictures drawn since the last draw() do
+    /// not fit, and as prepare() does.
     Result<void> drawOverlay(std::span<const OverlayQuad> quads, const DrawTarget& target);
 
     /// Someone else changed GL's state since the last call: to be said once, before the next one. Bindings of
@@ -135,8 +139,9 @@ public:
     /// sky, lighting and look are remembered.
     void contextLost();
 
-    /// Rebuilds all models that are shown, the sky and all pictures in a new context, which is current, from
-    /// their sources. Where something cannot be rebuilt, the rest is, and the first error is returned.
+    /// Rebuilds all models that are shown and the sky in a new context, which is current, from their sources;
+    /// other models and pictures come back when they are shown and drawn. Where something cannot be rebuilt,
+    /// the rest is, and the first error is returned.
     /// Without contextLost() before, the old context counts as lost.
     Result<void> restore(const Gl& gl);
     Result<void> restore(const Gl& gl, const Capabilities& capabilities);
