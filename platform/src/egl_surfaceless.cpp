@@ -64,9 +64,10 @@ Result<EGLDisplay> openDisplay() {
 
 /// eglChooseConfig() puts the deepest colours first; the target has to be RGBA8 everywhere, to compare
 /// pictures.
-std::optional<EGLConfig> chooseConfig(EGLDisplay display, int depthBits) {
-    const EGLint attributes[] = {EGL_DEPTH_SIZE,      depthBits,          EGL_SURFACE_TYPE, EGL_PBUFFER_BIT,
-                                 EGL_RENDERABLE_TYPE, EGL_OPENGL_ES2_BIT, EGL_NONE};
+std::optional<EGLConfig> chooseConfig(EGLDisplay display, int depthBits, int samples) {
+    const EGLint attributes[] = {
+        EGL_DEPTH_SIZE,     depthBits,   EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+        EGL_OPENGL_ES2_BIT, EGL_SAMPLES, samples,          EGL_NONE};
     EGLint count = 0;
     eglChooseConfig(display, attributes, nullptr, 0, &count);
     std::vector<EGLConfig> configs(static_cast<std::size_t>(count));
@@ -115,7 +116,9 @@ private:
 };
 
 Result<void> EglSurface::open(const SurfaceOptions& options) {
-    const std::optional<EGLConfig> config = chooseConfig(m_display, options.depthBits);
+    std::optional<EGLConfig> config = chooseConfig(m_display, options.depthBits, options.samples);
+    if (!config)
+        config = chooseConfig(m_display, options.depthBits, 0);
     if (!config)
         return Error{"surface.driver", "eglChooseConfig",
                      "the driver has no RGBA8 pbuffer for OpenGL ES 2.0 with " +
@@ -132,6 +135,7 @@ Result<void> EglSurface::open(const SurfaceOptions& options) {
         m_pbuffer = createPbuffer(*config, false);
     if (m_pbuffer == EGL_NO_SURFACE)
         return lastError("eglCreatePbufferSurface", "choose a smaller size");
+    eglGetConfigAttrib(m_display, *config, EGL_SAMPLES, &m_samples);
     return makeReady();
 }
 

@@ -31,6 +31,10 @@ Result<void> check(const SurfaceOptions& options) {
     if (options.depthBits < 0 || options.depthBits > 32)
         return Error{"surface.options", std::to_string(options.depthBits) + " bits",
                      "a depth buffer of that depth cannot be made", "choose 0 to 32 bits"};
+    if (options.samples < 0 || options.samples > kMaxSamples)
+        return Error{"surface.options", std::to_string(options.samples) + " samples",
+                     "a target with so many samples cannot be made",
+                     "choose 0 to " + std::to_string(kMaxSamples) + " samples"};
     return {};
 }
 

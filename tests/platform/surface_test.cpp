@@ -78,6 +78,7 @@ TEST_P(SurfaceTest, ComesUpAndSaysWhatItIs) {
     EXPECT_EQ(surface().backend(), GetParam());
     EXPECT_EQ(surface().size(), (platform::Size{64, 64}));
     EXPECT_FALSE(surface().srgbTarget());
+    EXPECT_EQ(surface().samples(), 0);
     EXPECT_NE(surface().driver().find(std::getenv("GALLIUM_DRIVER")), std::string::npos)
         << surface().driver();
     RecordProperty("driver", surface().driver());
@@ -86,6 +87,14 @@ TEST_P(SurfaceTest, ComesUpAndSaysWhatItIs) {
     EXPECT_GE(depthBits, 24);
     EXPECT_TRUE(surface().present());
     EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST_P(SurfaceTest, SaysHowManySamplesItsTargetHas) {
+    Result<Offscreen> smooth = openOffscreen(GetParam(), {16, 16}, 4);
+    ASSERT_TRUE(smooth) << toString(smooth.error());
+    GLint samples = -1;
+    smooth->gl.GetIntegerv(GL_SAMPLES, &samples);
+    EXPECT_EQ(smooth->surface->samples(), samples);
 }
 
 TEST_P(SurfaceTest, DrawsATriangleTheRightWayUp) {
@@ -198,21 +207,23 @@ TEST_P(SurfaceTest, TellsTheLogWhatDraws) {
 
 struct Refused {
     platform::Size size;
-    int depthBits;
+    int depthBits, samples;
     const char* where;
 };
 
 constexpr Refused kRefused[] = {
-    {{0, 16}, 24, "0x16"},     {{16, -1}, 24, "16x-1"},
-    {{8193, 1}, 24, "8193x1"}, {{1, 1 << 30}, 24, "1x1073741824"},
-    {{16, 16}, -1, "-1 bits"}, {{16, 16}, 33, "33 bits"},
+    {{0, 16}, 24, 0, "0x16"},         {{16, -1}, 24, 0, "16x-1"},
+    {{8193, 1}, 24, 0, "8193x1"},     {{1, 1 << 30}, 24, 0, "1x1073741824"},
+    {{16, 16}, -1, 0, "-1 bits"},     {{16, 16}, 33, 0, "33 bits"},
+    {{16, 16}, 24, -1, "-1 samples"}, {{16, 16}, 24, 17, "17 samples"},
 };
 
 TEST(SurfaceOptions, OutOfRangeAreRefusedByName) {
-    for (const auto& [size, depthBits, where] : kRefused)
+    for (const auto& [size, depthBits, samples, where] : kRefused)
         for (const Backend backend : {Backend::OsMesa, Backend::EglSurfaceless}) {
             SCOPED_TRACE(where);
-            const auto surface = platform::create(backend, {.size = size, .depthBits = depthBits});
+            const auto surface =
+                platform::create(backend, {.size = size, .depthBits = depthBits, .samples = samples});
             ASSERT_FALSE(surface);
             EXPECT_EQ(surface.error().code, "surface.options");
             EXPECT_EQ(surface.error().where, where);

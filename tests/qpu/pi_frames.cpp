@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// pi_frames [--cold]
+// pi_frames [--cold] [--smooth] [--late-smooth]
 //
 // A kiosk's thousand frames on whatever driver EGL finds by GBM, and how many shaders the driver itself said
 // that it compiled: a line "warm-up N", unless --cold leaves the warm-up out, and a line "frames N". What was
-// compiled in frames is on standard error. pi_frames_test.cpp runs it on Mesa's vc4 and v3d drivers over the
-// no-op DRM shims, which compile as they do on a Raspberry Pi and draw nothing: the target cannot be read
-// back, so that programs are taken on trust.
+// compiled in frames is on standard error. --smooth gives all targets four samples a pixel, --late-smooth
+// only those of the frames. pi_frames_test.cpp runs it on Mesa's vc4 and v3d drivers over the no-op DRM
+// shims, which compile as they do on a Raspberry Pi and draw nothing: the target cannot be read back, so that
+// programs are taken on trust.
 #include "support/kiosk_frames.h"
 
 #include <EGL/egl.h>
@@ -14,6 +15,7 @@
 #include <fcntl.h>
 #include <gbm.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
@@ -74,37 +76,66 @@ void listen(const Gl& gl) {
     callback(receive, nullptr);
 }
 
+template<typename Function>
+Function find(const char* name) {
+    const auto function = reinterpret_cast<Function>(eglGetProcAddress(name));
+    if (function == nullptr)
+        fail(std::string("the driver has no ") + name);
+    return function;
+}
+
+// GL_EXT_multisampled_render_to_texture: the samples are the driver's, and so are resolves.
+void attachSmooth(GLuint color, int width, int height) {
+    constexpr GLsizei kSamples = 4;
+    find<PFNGLRENDERBUFFERSTORAGEMULTISAMPLEEXTPROC>("glRenderbufferStorageMultisampleEXT")(
+        GL_RENDERBUFFER, kSamples, GL_DEPTH_COMPONENT16, width, height);
+    find<PFNGLFRAMEBUFFERTEXTURE2DMULTISAMPLEEXTPROC>("glFramebufferTexture2DMultisampleEXT")(
+        GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0, kSamples);
+}
+
 // As a surface would be: 8 bits a channel, 16 bits of depth.
-DrawTarget makeTarget(const Gl& gl, int width, int height) {
+DrawTarget makeTarget(const Gl& gl, int width, int height, bool smooth) {
     const GLuint color = generate(gl.GenTextures), depth = generate(gl.GenRenderbuffers);
     gl.BindTexture(GL_TEXTURE_2D, color);
     gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.BindRenderbuffer(GL_RENDERBUFFER, depth);
-    gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, width, height);
     const GLuint framebuffer = generate(gl.GenFramebuffers);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    if (smooth) {
+        attachSmooth(color, width, height);
+    } else {
+        gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, width, height);
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    }
     gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+    if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
+        fail("the driver refuses the target");
     return {.framebuffer = framebuffer, .width = width, .height = height};
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-    const bool cold = argc == 2 && std::strcmp(argv[1], "--cold") == 0;
+    const auto has = [&](const char* option) {
+        return std::any_of(argv + 1, argv + argc,
+                           [&](const char* given) { return std::strcmp(given, option) == 0; });
+    };
+    const bool smooth = has("--smooth"), lateSmooth = has("--late-smooth");
     openContext();
     const Gl gl =
         valueOf(Gl::load([](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); }));
     std::cout << "driver " << reinterpret_cast<const char*>(gl.GetString(GL_RENDERER)) << "\n";
     listen(gl);
-    const std::vector<DrawTarget> targets = {makeTarget(gl, 256, 256), makeTarget(gl, 320, 200),
-                                             makeTarget(gl, 64, 512)};
+    const DrawTarget first = makeTarget(gl, 256, 256, smooth);
+    std::vector<DrawTarget> targets;
+    for (const auto& [width, height] : {std::pair(256, 256), {320, 200}, {64, 512}})
+        targets.push_back(makeTarget(gl, width, height, smooth || lateSmooth));
     test::KioskFrames kiosk;
     Renderer renderer(gl, [](LogLevel, std::string_view text) { std::cerr << text << "\n"; });
     require(kiosk.load(renderer));
-    if (!cold) {
-        const WarmUpReport report = valueOf(renderer.warmUp(targets.front(), kiosk.uses()));
+    if (!has("--cold")) {
+        const WarmUpReport report = valueOf(renderer.warmUp(first, kiosk.uses()));
         std::cout << "programs " << report.programs << "\nwarm-up " << compiled.size() << "\n";
     }
     compiled.clear();

@@ -63,6 +63,15 @@ TEST_P(PiFrames, CompileNothingAfterAWarmUp) {
               << numbers["programs"] << " programs\n";
 }
 
+TEST_P(PiFrames, CompileNothingAfterAWarmUpWithFourSamplesAPixel) {
+    std::map<std::string, int> numbers = run("--smooth");
+    ASSERT_EQ(numbers.count("frames"), 1u);
+    EXPECT_EQ(numbers["frames"], 0);
+    const int late = run("--late-smooth")["frames"];
+    EXPECT_GT(late, 0) << "the driver compiles for samples, and so does the warm-up";
+    std::cout << GetParam() << ": " << late << " compiles in frames after a warm-up without samples\n";
+}
+
 TEST_P(PiFrames, CompileWithoutOne) {
     EXPECT_GT(run("--cold")["frames"], 50) << "what the test above counts does occur";
 }

@@ -31,10 +31,12 @@ struct Offscreen {
 
 /// Opens one, current and with the viewport of the whole target. Unless the environment says otherwise,
 /// Mesa's softpipe draws, on both backends and whatever GPU there is: pictures are compared exactly under it.
-Result<Offscreen> openOffscreen(platform::Backend backend, platform::Size size);
+Result<Offscreen> openOffscreen(platform::Backend backend, platform::Size size, int samples = 0);
 
-/// What the target holds, as GL returns it (alpha included). The surface must be current.
+/// What the target holds, as GL returns it (alpha included), or another framebuffer of its size. The surface
+/// must be current.
 ReadBack readBack(const Offscreen& offscreen);
+ReadBack readBack(const Offscreen& offscreen, unsigned framebuffer);
 
 /// A test that runs on every backend. It is skipped where the backend is not installed, and fails where it
 /// does not work.

@@ -20,6 +20,9 @@ struct Size {
     bool operator==(const Size&) const = default;
 };
 
+/// Most samples a pixel that can be asked for. vc4 and v3d have 4.
+inline constexpr int kMaxSamples = 16;
+
 /// Largest width and height that a surface is made with, in pixels: a 4K screen supersampled 2x2, in 256 MiB.
 /// A driver that takes less refuses on its own (vc4: 2048).
 inline constexpr int kMaxSurfaceSize = 8192;
@@ -35,7 +38,7 @@ enum class Backend {
 };
 
 /// A context that speaks GLES2, and the target that it draws to unless told otherwise: an image in memory
-/// now, a screen later. The target is RGBA8 with a depth buffer, without multisampling, row 0 at the bottom.
+/// now, a screen later. The target is RGBA8 with a depth buffer, row 0 at the bottom.
 ///
 /// Surfaces of several backends can live in one process and take turns in one thread: makeCurrent() takes
 /// the thread away from whichever surface had it. A surface is used and destroyed by one thread at a time;
@@ -65,6 +68,11 @@ public:
     /// Whether the target encodes what is written to it (linear to sRGB), so that the shader must not. Only
     /// where SurfaceOptions::srgb asked for it.
     bool srgbTarget() const { return m_srgbTarget; }
+
+    /// How many samples the target has for each pixel, so that edges are smooth; 0 without multisampling.
+    /// Samples are averaged when the frame ends, as codes: not in linear light, unless the target encodes. What
+    /// glReadPixels returns is the average as well, but with llvmpipe the first sample (Mesa 22.3.6).
+    int samples() const { return m_samples; }
 
     /// Where the functions come from; good for as long as the surface lives.
     virtual GetProcAddress getProcAddress() const = 0;
@@ -96,6 +104,7 @@ protected:
     Size m_size;
     unsigned m_framebuffer = 0;
     bool m_srgbTarget = false;
+    int m_samples = 0;
     std::string m_driver;
 };
 
@@ -103,7 +112,13 @@ struct SurfaceOptions {
     Size size = {256, 256}; ///< Each 1 to kMaxSurfaceSize.
     bool srgb = false;      ///< A target that encodes, where the driver has one: see srgbTarget().
     int depthBits = 24;     ///< At least so many, 0 to 32; 0 where no depth buffer is needed.
-    Log log = {};           ///< Told which driver was found.
+
+    /// At least so many samples a pixel, 0 to kMaxSamples, where the driver has such targets; without
+    /// multisampling where it has none: see samples(). Of Mesa's software drivers llvmpipe has 4 by EGL;
+    /// softpipe has none, nor has OSMesa, whatever draws.
+    int samples = 0;
+
+    Log log = {}; ///< Told which driver was found.
 
     /// A folder where Mesa keeps compiled programs from one start to the next (v3d does, vc4 cannot); empty:
     /// in ~/.cache. For a kiosk whose home cannot be written, or is not kept. Goes to MESA_SHADER_CACHE_DIR,
@@ -119,7 +134,7 @@ std::string_view toString(Backend backend);
 Result<Backend> parseBackend(std::string_view text);
 
 /// Makes a surface of that backend, which is current afterwards (where it fails, none may be). Fails with
-/// - `surface.options` for a size or depth out of range,
+/// - `surface.options` for a size, depth or number of samples out of range,
 /// - `surface.not-installed` where the backend is not there at all: it names the Debian packages,
 /// - `surface.driver` where a driver is missing or refuses: it names the call and its error.
 ///
