@@ -28,7 +28,7 @@ void checkBudget(const Program& program, const Profile& profile, std::vector<Fin
 
 void checkLint(const Program& program, std::vector<Finding>& findings) {
     for (const LintFinding& finding : lintProgram(program.composed))
-        findings.push_back({program.name, "lint", sourceOf(finding.origin),
+        findings.push_back({program.name, "lint", toString(finding.origin),
                             finding.message + " [" + std::string(finding.rule) + "]", ""});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "columns.h"
 #include "commands.h"
-#include "cost_json.h"
+#include "json.h"
 #include "selection.h"
 
 #include <cmath>
@@ -10,15 +11,6 @@ namespace franken::cli {
 namespace {
 
 constexpr double kFullHd = 1920 * 1080 * 60 / 1e6;
-
-std::string right(const std::string& text, std::size_t width) {
-    return std::string(width - std::min(width, text.size()), ' ') + text;
-}
-
-std::string left(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size()), ' ');
-    return text;
-}
 
 std::string decimals(double value, int count) {
     char text[64];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "columns.h"
 #include "commands.h"
 #include "explanation.h"
 #include "json.h"
@@ -7,11 +8,6 @@
 
 namespace franken::cli {
 namespace {
-
-std::string padded(std::string text, std::size_t width) {
-    text.resize(std::max(width, text.size()), ' ');
-    return text;
-}
 
 std::string shortOrigin(const LineOrigin& origin) {
     return origin.snippet.empty() ? "" : std::string(origin.snippet) + ".glsl:" + std::to_string(origin.line);
@@ -27,27 +23,26 @@ void writeStage(Console& console, std::string_view title, const std::vector<Expl
     }
     console.write("\n" + console.paint(Style::Bold, title) + "\n");
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const std::string number = std::to_string(i + 1);
-        console.write(padded("", 4 - std::min<std::size_t>(number.size(), 4)) + number + "  " +
-                      console.paint(Style::Dim, padded(shortOrigin(lines[i].origin), originWidth)) + "  " +
-                      console.paint(Style::Cyan, padded(wordsOf(lines[i]), wordsWidth)) + "  | " +
+        console.write(right(std::to_string(i + 1), 4) + "  " +
+                      console.paint(Style::Dim, left(shortOrigin(lines[i].origin), originWidth)) + "  " +
+                      console.paint(Style::Cyan, left(wordsOf(lines[i]), wordsWidth)) + "  | " +
                       std::string(lines[i].text) + "\n");
     }
 }
 
 void writeBudgets(Console& console, const std::vector<ProfileBudget>& budgets) {
     constexpr std::size_t kNameWidth = 13, kWidth = 19;
-    std::string head = padded("budget", kNameWidth);
+    std::string head = left("budget", kNameWidth);
     for (const Use& use : budgets.front().budget.uses)
-        head += padded(std::string(toText(use.resource)), kWidth);
+        head += left(std::string(toText(use.resource)), kWidth);
     console.write("\n" + console.paint(Style::Bold, head.substr(0, head.find_last_not_of(' ') + 1)) + "\n");
     for (const ProfileBudget& each : budgets) {
-        console.write(padded(std::string(each.profile.name), kNameWidth));
+        console.write(left(std::string(each.profile.name), kNameWidth));
         for (const Use& use : each.budget.uses) {
             const std::string text = std::to_string(use.used) + " of " + std::to_string(use.limit);
             const bool last = &use == &each.budget.uses.back();
             console.write(console.paint(use.bursts() ? Style::Red : Style::Plain,
-                                        padded(text + (use.bursts() ? " !" : ""), last ? 0 : kWidth)));
+                                        left(text + (use.bursts() ? " !" : ""), last ? 0 : kWidth)));
         }
         console.write("\n");
         for (const Burst& burst : each.bursts)

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "glslang.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include "child_process.h"
 
+#include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -19,34 +17,6 @@ constexpr char kProgram[] = "glslangValidator";
 
 Error cannotRun(const std::string& reason) {
     return {"glslang.run", kProgram, "cannot be run: " + reason, "see that TMPDIR can be written to"};
-}
-
-struct Outcome {
-    int spawnError; ///< 0 where the program ran.
-    int exitCode;
-};
-
-// Runs it with its standard output and error in that file.
-Outcome runInto(const fs::path& output, std::vector<std::string> arguments) {
-    std::vector<char*> argv;
-    argv.reserve(arguments.size() + 1);
-    for (std::string& argument : arguments)
-        argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0600);
-    posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-    pid_t child = 0;
-    const int failed = posix_spawnp(&child, kProgram, &actions, nullptr, argv.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0)
-        return {failed, 0};
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    return {0, WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status)};
 }
 
 bool write(const fs::path& path, std::string_view text) {
@@ -80,37 +50,27 @@ void addFindings(std::vector<Finding>& findings, const Program& program, std::st
 
 } // namespace
 
-Glslang::Glslang(fs::path directory) : m_directory(std::move(directory)) {}
-Glslang::Glslang(Glslang&& other) noexcept : m_directory(std::exchange(other.m_directory, {})) {}
-
-Glslang::~Glslang() {
-    std::error_code ignored;
-    if (!m_directory.empty())
-        fs::remove_all(m_directory, ignored);
-}
-
 Result<std::optional<Glslang>> Glslang::open() {
-    std::error_code failed;
-    std::string pattern = (fs::temp_directory_path(failed) / "frankenshader.XXXXXX").string();
-    if (failed || !mkdtemp(pattern.data()))
-        return cannotRun(failed ? failed.message() : std::strerror(errno));
-    Glslang glslang{fs::path(pattern)};
-    const Outcome outcome = runInto(glslang.m_directory / "log", {kProgram, "--version"});
+    Result<TemporaryFolder> folder = TemporaryFolder::make();
+    if (!folder)
+        return cannotRun(folder.error().what);
+    const Outcome outcome = runProgram({kProgram, "--version"}, {.out = folder->path() / "log"});
     if (outcome.spawnError == ENOENT)
         return std::optional<Glslang>();
     if (outcome.spawnError != 0)
         return cannotRun(std::strerror(outcome.spawnError));
-    return std::optional<Glslang>(std::move(glslang));
+    return std::optional(Glslang(*std::move(folder)));
 }
 
 Result<std::vector<Finding>> Glslang::check(const Program& program) const {
-    const fs::path vertex = m_directory / "shader.vert", fragment = m_directory / "shader.frag";
+    const fs::path vertex = m_folder.path() / "shader.vert", fragment = m_folder.path() / "shader.frag";
+    const fs::path output = m_folder.path() / "log";
     if (!write(vertex, program.composed.vertex.text) || !write(fragment, program.composed.fragment.text))
-        return cannotRun("no temporary file can be written to " + m_directory.string());
-    const Outcome outcome = runInto(m_directory / "log", {kProgram, vertex.string(), fragment.string()});
+        return cannotRun("no temporary file can be written to " + m_folder.path().string());
+    const Outcome outcome = runProgram({kProgram, vertex.string(), fragment.string()}, {.out = output});
     if (outcome.spawnError != 0)
         return cannotRun(std::strerror(outcome.spawnError));
-    const std::string log = read(m_directory / "log");
+    const std::string log = read(output);
     const std::size_t border = std::min(log.find(fragment.string()), log.size());
     std::vector<Finding> findings;
     addFindings(findings, program, std::string_view(log).substr(0, border), program.composed.vertex);

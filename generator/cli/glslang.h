@@ -4,8 +4,8 @@
 #include "finding.h"
 #include "franken/result.h"
 #include "program.h"
+#include "temporary_folder.h"
 
-#include <filesystem>
 #include <optional>
 #include <vector>
 
@@ -19,17 +19,13 @@ public:
     /// no temporary file can be written.
     static Result<std::optional<Glslang>> open();
 
-    Glslang(Glslang&& other) noexcept;
-    Glslang& operator=(Glslang&&) = delete;
-    ~Glslang();
-
     /// What it has to say against the program, each line with the snippet it comes from.
     Result<std::vector<Finding>> check(const Program& program) const;
 
 private:
-    explicit Glslang(std::filesystem::path directory);
+    explicit Glslang(TemporaryFolder folder) : m_folder(std::move(folder)) {}
 
-    std::filesystem::path m_directory;
+    TemporaryFolder m_folder;
 };
 
 } // namespace franken::cli

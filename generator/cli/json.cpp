@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+
 namespace franken::cli {
 namespace {
 
@@ -67,7 +69,7 @@ Json toJson(const Program& program, Texts texts) {
 Json toJson(const std::vector<ExplainedLine>& lines) {
     Json json = Json::array();
     for (const ExplainedLine& line : lines) {
-        Json each = {{"text", line.text}, {"origin", sourceOf(line.origin)}};
+        Json each = {{"text", line.text}, {"origin", toString(line.origin)}};
         if (line.reason) {
             each["words"] = line.reason->words;
             each["needed"] = line.reason->kind == Reason::Kind::All;
@@ -84,6 +86,40 @@ Json toJson(const ProfileBudget& each) {
     for (const Burst& burst : each.bursts)
         for (const Feature& feature : burst.features)
             json[std::string(toText(burst.use.resource))]["without"][feature.word] = feature.used;
+    return json;
+}
+
+Json toJson(const ShaderCost& shader) {
+    return {{"instructions", shader.instructions},
+            {"threads", shader.threads},
+            {"uniforms", shader.uniforms},
+            {"temps", shader.temps},
+            {"spills", shader.spills},
+            {"fills", shader.fills}};
+}
+
+Json modelsOf(const Gpu& gpu, int instructions) {
+    Json models = Json::array();
+    for (const PiModel& model : gpu.models)
+        models.push_back({{"model", model.name},
+                          {"megahertz", model.megahertz},
+                          {"megapixelsPerSecond", megapixelsPerSecond(gpu, model, instructions)}});
+    return models;
+}
+
+Json toJson(const Gpu& gpu, const Priced& priced) {
+    Json json = {{"name", toName(priced.asked)}, {"gpu", gpu.name}, {"measured", toName(priced.measured)}};
+    if (!priced.cost.measured()) {
+        json["error"] = priced.cost.error;
+        return json;
+    }
+    json["fragment"] = toJson(priced.cost.fragment);
+    json["vertex"] = toJson(priced.cost.vertex);
+    json["coordinate"] = toJson(priced.cost.coordinate);
+    json["atMost"] = modelsOf(gpu, priced.cost.fragment.instructions);
+    // Null: they never pay. Without the member, there is one way only.
+    if (priced.breakEven)
+        json["vertexLightPaysFromPixels"] = std::isinf(*priced.breakEven) ? Json() : Json(*priced.breakEven);
     return json;
 }
 
@@ -158,6 +194,15 @@ std::string checkJson(std::size_t programs, const std::vector<std::string>& prof
                                     {"where", each.where},
                                     {"what", each.what},
                                     {"remedy", each.remedy}});
+    return print(json);
+}
+
+std::string costJson(const std::vector<Bill>& bills) {
+    Json json = document("cost");
+    json["costs"] = Json::array();
+    for (const Bill& bill : bills)
+        for (const Priced& priced : bill.priced)
+            json["costs"].push_back(toJson(bill.gpu, priced));
     return print(json);
 }
 

@@ -3,6 +3,7 @@
 
 #include "explanation.h"
 #include "finding.h"
+#include "priced.h"
 #include "program.h"
 #include "selection.h"
 
@@ -30,5 +31,12 @@ std::string diffJson(const Program& first, const Program& second, const std::str
                      const std::string& fragment);
 std::string checkJson(std::size_t programs, const std::vector<std::string>& profiles, bool glslangAsked,
                       const std::vector<Finding>& findings);
+
+/// What the same permutations cost on one of several GPUs.
+struct Bill {
+    Gpu gpu;
+    std::vector<Priced> priced;
+};
+std::string costJson(const std::vector<Bill>& bills);
 
 } // namespace franken::cli

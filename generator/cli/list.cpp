@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "columns.h"
 #include "commands.h"
+#include "franken/generator/choices.h"
 #include "json.h"
 #include "selection.h"
-
-#include "franken/generator/choices.h"
 
 namespace franken::cli {
 namespace {
@@ -11,12 +11,9 @@ namespace {
 void writeWords(Console& console) {
     for (const Choice& choice : choices()) {
         console.write(console.paint(Style::Bold, choice.name) + "\n");
-        for (const Option& option : choice.options) {
-            std::string word(option.word);
-            word.resize(std::max<std::size_t>(word.size(), 20), ' ');
-            console.write("  " + console.paint(Style::Cyan, word) + "  " + std::string(option.meaning) +
-                          "\n");
-        }
+        for (const Option& option : choice.options)
+            console.write("  " + console.paint(Style::Cyan, left(std::string(option.word), 20)) + "  " +
+                          std::string(option.meaning) + "\n");
     }
 }
 

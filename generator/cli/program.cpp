@@ -24,12 +24,6 @@ std::string toHex(Key key) {
     return text.str();
 }
 
-std::string sourceOf(const LineOrigin& origin) {
-    if (origin.snippet.empty())
-        return {};
-    return "generator/glsl/" + std::string(origin.snippet) + ".glsl:" + std::to_string(origin.line);
-}
-
 std::vector<std::string_view> linesOf(std::string_view text) {
     std::vector<std::string_view> lines;
     while (!text.empty()) {

@@ -20,9 +20,6 @@ struct Program {
 /// "0x1000000000000004"
 std::string toHex(Key key);
 
-/// "generator/glsl/fragment/gltf.glsl:12"; empty for a line that no snippet wrote.
-std::string sourceOf(const LineOrigin& origin);
-
 /// A text's lines, without their ends. They are views of the text.
 std::vector<std::string_view> linesOf(std::string_view text);
 std::vector<std::string_view> linesOf(std::string&& text) = delete;

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "qpu_compiler.h"
 
+#include "child_process.h"
 #include "franken/generator/compose.h"
+#include "temporary_folder.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -25,29 +23,6 @@ Error cannotRun(const std::string& where, const std::string& reason) {
     return {"cost.run", where, "cannot be run: " + reason,
             "see that TMPDIR can be written to, and run tests/qpu/toolchain.sh again"};
 }
-
-// Goes with all that is in it.
-class TemporaryFolder {
-public:
-    TemporaryFolder() {
-        std::error_code failed;
-        std::string pattern = (fs::temp_directory_path(failed) / "frankenshader.XXXXXX").string();
-        if (!failed && mkdtemp(pattern.data()))
-            m_path = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        if (!m_path.empty())
-            fs::remove_all(m_path, ignored);
-    }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const fs::path& path() const { return m_path; }
-
-private:
-    fs::path m_path;
-};
 
 // A program's files and line in the list of pairs are called by its number, which needs no quoting.
 bool writePairs(const fs::path& folder, std::span<const Permutation> permutations, std::size_t begin) {
@@ -74,29 +49,6 @@ bool writeTexts(const fs::path& folder, std::span<const Permutation> permutation
         written = written && vertex && fragment;
     }
     return written;
-}
-
-// Exit code, 128 + N for signal N, or -errno where the program could not be started.
-int run(const fs::path& program, std::string gpu, const fs::path& folder) {
-    std::string name = program.string();
-    char* argv[] = {name.data(), gpu.data(), nullptr};
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    const auto redirect = [&](int descriptor, const char* file, int flags) {
-        posix_spawn_file_actions_addopen(&actions, descriptor, (folder / file).c_str(), flags, 0600);
-    };
-    redirect(STDIN_FILENO, "pairs", O_RDONLY);
-    redirect(STDOUT_FILENO, "rows", O_WRONLY | O_CREAT | O_TRUNC);
-    redirect(STDERR_FILENO, "errors", O_WRONLY | O_CREAT | O_TRUNC);
-    pid_t child = 0;
-    const int failed = posix_spawn(&child, name.c_str(), &actions, nullptr, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (failed != 0)
-        return -failed;
-    int status = 0;
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-    }
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 void readRow(const std::string& row, std::map<std::size_t, Cost>& costs) {
@@ -130,10 +82,12 @@ Result<void> measureSome(const fs::path& program, const Gpu& gpu, const fs::path
     const std::size_t begin = costs.size();
     if (!writePairs(folder, permutations, begin))
         return cannotRun(folder.string(), "the disk is full");
-    const int code = run(program, std::string(gpu.name), folder);
-    if (code < 0)
-        return cannotRun(program.string(), std::strerror(-code));
-    if (code > 0 && code < 128)
+    const Outcome outcome =
+        runProgram({program.string(), std::string(gpu.name)},
+                   {.in = folder / "pairs", .out = folder / "rows", .err = folder / "errors"});
+    if (outcome.spawnError != 0)
+        return cannotRun(program.string(), std::strerror(outcome.spawnError));
+    if (outcome.exitCode > 0 && outcome.exitCode < 128)
         return cannotRun(program.string(), firstLine(folder / "errors"));
     std::map<std::size_t, Cost> measured;
     std::ifstream rows(folder / "rows");
@@ -177,12 +131,12 @@ Result<QpuCompiler> QpuCompiler::open() {
 }
 
 Result<std::vector<Cost>> QpuCompiler::measure(const Gpu& gpu, std::span<const Permutation> canonical) const {
-    const TemporaryFolder folder;
-    if (folder.path().empty() || !writeTexts(folder.path(), canonical))
-        return cannotRun(folder.path().string(), "no temporary file can be written");
+    const Result<TemporaryFolder> folder = TemporaryFolder::make();
+    if (!folder || !writeTexts(folder->path(), canonical))
+        return cannotRun(folder ? folder->path().string() : "", "no temporary file can be written");
     std::vector<Cost> costs;
     while (costs.size() < canonical.size())
-        if (auto done = measureSome(m_program, gpu, folder.path(), canonical, costs); !done)
+        if (auto done = measureSome(m_program, gpu, folder->path(), canonical, costs); !done)
             return done.error();
     return costs;
 }

@@ -17,8 +17,8 @@ struct ShaderCost {
     int threads = 0; ///< That share a QPU and hide each other's waiting: at most 2 on vc4, 4 on v3d.
     int uniforms = 0;
     int temps = 0; ///< Registers.
-    int spills = 0,
-        fills = 0; ///< Registers written to memory and read back; vc4 cannot, and gives up instead.
+    /// Registers written to memory and read back; vc4 cannot, and gives up instead.
+    int spills = 0, fills = 0;
 
     friend bool operator==(const ShaderCost&, const ShaderCost&) = default;
 };
@@ -27,8 +27,8 @@ struct ShaderCost {
 struct Cost {
     ShaderCost fragment, vertex;
     ShaderCost coordinate; ///< The vertex shader as it runs for the first time, to sort triangles into tiles.
-    std::string
-        error; ///< Empty; "out of registers", and then such a program draws nothing on the GPU; or else.
+    /// Empty; "out of registers", and then such a program draws nothing on the GPU; or else.
+    std::string error;
 
     bool measured() const { return error.empty(); }
 

@@ -134,6 +134,12 @@ int reportedLine(std::string_view message) {
 
 } // namespace
 
+std::string toString(const LineOrigin& origin) {
+    if (origin.snippet.empty())
+        return {};
+    return "generator/glsl/" + std::string(origin.snippet) + ".glsl:" + std::to_string(origin.line);
+}
+
 Composed compose(const Permutation& permutation, const SnippetSet& snippets) {
     Composed composed;
     composed.interface.attributes.reserve(8);
@@ -153,10 +159,8 @@ std::string annotateLog(std::string_view log, const ComposedStage& stage) {
         log.remove_prefix(std::min(end + 1, log.size()));
         annotated += message;
         const auto line = static_cast<std::size_t>(reportedLine(message));
-        if (line > 0 && line <= stage.lines.size() && !stage.lines[line - 1].snippet.empty()) {
-            const LineOrigin& origin = stage.lines[line - 1];
-            annotated += " [" + placeOf(origin.snippet, origin.line) + "]";
-        }
+        if (line > 0 && line <= stage.lines.size() && !stage.lines[line - 1].snippet.empty())
+            annotated += " [" + toString(stage.lines[line - 1]) + "]";
         annotated += '\n';
     }
     return annotated;

@@ -42,11 +42,9 @@ std::span<const LintRule> lintRules() {
 }
 
 std::string toString(const LintFinding& finding) {
-    const bool own = finding.origin.snippet.empty();
-    const std::string file = own ? std::string(nameOf(finding.stage))
-                                 : "generator/glsl/" + std::string(finding.origin.snippet) + ".glsl";
-    return file + ":" + std::to_string(own ? finding.line : finding.origin.line) + ": " + finding.message +
-           " [" + std::string(finding.rule) + "]";
+    const std::string ofStage = std::string(nameOf(finding.stage)) + ":" + std::to_string(finding.line);
+    const std::string place = finding.origin.snippet.empty() ? ofStage : toString(finding.origin);
+    return place + ": " + finding.message + " [" + std::string(finding.rule) + "]";
 }
 
 std::vector<LintFinding> lint(const ComposedStage& text, Stage stage) {

@@ -108,8 +108,8 @@ std::vector<Broken> findUnused(const ShaderText& shader) {
     std::vector<Broken> unused;
     const auto check = [&](bool used, std::string_view what, std::string_view name, std::size_t token) {
         if (!used)
-            unused.push_back({syntax.lineOf(token),
-                              "the " + std::string(what) + " '" + std::string(name) + "' is not used"});
+            unused.push_back(
+                {syntax.lineOf(token), "the " + std::string(what) + " " + quoted(name) + " is not used"});
     };
     for (const Variable& global : syntax.globals)
         check(usage.global(global), global.qualifier.empty() ? "global" : global.qualifier, global.name,

@@ -11,6 +11,7 @@ struct Needs {
     bool shaded;       ///< The picture is wanted, not a look into the material.
     bool direct;       ///< Suns or lamps shine.
     bool ambient;      ///< Ambient light, of either kind.
+    bool skyLit;       ///< ... of a sky.
     bool color;        ///< The base colour's RGB is read.
     bool base;         ///< The base colour's RGB or alpha is read.
     bool mirror;       ///< The sky's mirror image.

@@ -22,7 +22,6 @@ bool separate(P p) { return p.metallicRoughness == MetallicRoughness::Separate; 
 bool looked(P p, N n) { return n.material && p.view == View::RoughnessMetallic; }
 bool factors(P p, N n) { return (n.textured && (n.metallic || n.roughness)) || looked(p, n); }
 bool reflectance(N n) { return n.material && n.shaded && n.metallic && !n.textured; }
-bool skyLit(P p, N n) { return n.ambient && p.ambient == Ambient::Sky; }
 bool lit(N n) { return n.direct || n.ambient; }
 bool unlit(P p, N n) { return n.material && n.shaded && p.shading == Shading::Unlit; }
 bool cubic(P p, N n) { return n.color && p.baseColorTexture && n.decode && p.decode == Decode::Fast; }
@@ -36,10 +35,6 @@ bool uses(P p, N n) {
 bool exactLengths(N n) { return n.direct && !n.fewSuns && !n.tangentSpace; }
 bool looseLengths(P p, N n) { return p.target == Target::Vc4 && !exactLengths(n); }
 bool roots(P p, N n) { return pixelLight(n) || uses<Brdf::Gltf>(p, n); }
-template<Brdf B>
-bool usesFactors(P p, N n) {
-    return uses<B>(p, n) && !n.textured;
-}
 template<Brdf B>
 bool usesTextures(P p, N n) {
     return uses<B>(p, n) && n.textured;
@@ -151,11 +146,11 @@ constexpr std::array kRecipe = {
 
     Row{kFragment, "dark", [](P, N n) { return n.direct && !n.ambient; }},
     Row{kFragment, "ambient_color", [](P p, N n) { return n.ambient && p.ambient == Ambient::Color; }},
-    Row{kFragment, "ambient_sky", [](P p, N n) { return skyLit(p, n) && !n.mirror; }},
+    Row{kFragment, "ambient_sky", [](P, N n) { return n.skyLit && !n.mirror; }},
     Row{kFragment, "sky_atlas", [](P, N n) { return n.mirror; }},
     Row{kFragment, "sky_irradiance", [](P, N n) { return n.mirror; }},
-    Row{kFragment, "sky_reflectance.factors", [](P p, N n) { return skyLit(p, n) && !n.mirror && !n.textured; }},
-    Row{kFragment, "sky_reflectance", [](P p, N n) { return skyLit(p, n) && !n.mirror && n.textured; }},
+    Row{kFragment, "sky_reflectance.factors", [](P, N n) { return n.skyLit && !n.mirror && !n.textured; }},
+    Row{kFragment, "sky_reflectance", [](P, N n) { return n.skyLit && !n.mirror && n.textured; }},
     Row{kFragment, "occlude", [](P, N n) { return n.ambient && n.occlusion && !n.mirror; }},
     Row{kFragment, "specular", [](P, N n) { return n.direct && !n.mirror; }},
     Row{kFragment, "eye", [](P, N n) { return eye(n); }},

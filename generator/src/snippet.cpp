@@ -12,7 +12,7 @@ constexpr std::array<std::pair<std::string_view, Placeholder>, 3> kPlaceholders 
     {{"light", Placeholder::Light}, {"lane", Placeholder::Lane}, {"uv", Placeholder::Uv}}};
 
 Error badLine(std::string_view file, int line, std::string what) {
-    return {"snippet.syntax", placeOf(file, line), std::move(what),
+    return {"snippet.syntax", toString(LineOrigin{file, line}), std::move(what),
             "see generator/README.md for the contract of a snippet"};
 }
 
@@ -133,10 +133,6 @@ Result<void> addLine(Snippet& snippet, Section& section, std::string_view line, 
 }
 
 } // namespace
-
-std::string placeOf(std::string_view snippet, int line) {
-    return "generator/glsl/" + std::string(snippet) + ".glsl:" + std::to_string(line);
-}
 
 Result<Snippet> parseSnippet(const SnippetFile& file) {
     Snippet snippet{file.name, {}, {}, {}, {}};

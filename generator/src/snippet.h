@@ -52,9 +52,6 @@ struct Snippet {
     std::vector<Declaration> interface;
 };
 
-/// "generator/glsl/fragment/gltf.glsl:12"
-std::string placeOf(std::string_view snippet, int line);
-
 /// Parses a file; an error says file and line. The text must outlive the snippet.
 Result<Snippet> parseSnippet(const SnippetFile& file);
 

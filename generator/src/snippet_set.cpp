@@ -59,7 +59,7 @@ Result<void> checkInterface(const Snippet& snippet, std::uint8_t row) {
         if (known == builtInDeclarations().end() || known->second.kind != declaration.kind ||
             known->second.type != declaration.type || known->second.count != declaration.count ||
             known->second.block != declaration.block)
-            return Error{"snippet.interface", placeOf(snippet.name, declaration.line),
+            return Error{"snippet.interface", toString(LineOrigin{snippet.name, declaration.line}),
                          "'" + name + "' is not declared so in any snippet of this build",
                          "give it a place in pack.h or interface.h, and build"};
     }

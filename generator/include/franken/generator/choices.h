@@ -32,7 +32,7 @@ struct ReservedBits {
     unsigned shift, bits;
 };
 
-/// What is put by, so that these features will change no key: skinning, morphs, shadows.
+/// What is put by, so that these features will change no key: skinning, morphs, shadows, more workarounds.
 std::span<const ReservedBits> reservedBits();
 
 } // namespace franken

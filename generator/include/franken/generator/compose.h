@@ -17,6 +17,9 @@ struct LineOrigin {
     int line;                 ///< In generator/glsl/<snippet>.glsl, from 1.
 };
 
+/// "generator/glsl/fragment/gltf.glsl:12"; empty for a line that the composer wrote itself.
+std::string toString(const LineOrigin& origin);
+
 /// One shader, ready for glShaderSource, and the origin of each of its lines. Drivers misreport #line, so
 /// the text holds none: look an error's line up here.
 struct ComposedStage {

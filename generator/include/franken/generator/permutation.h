@@ -178,8 +178,8 @@ Result<Permutation> fromKey(Key key);
 
 enum class Stage : std::uint8_t { Vertex, Fragment };
 
-/// Tells one stage's text from another's: canonical permutations with equal stage keys have equal texts there,
-/// and share that shader. No permutation's key: fromKey() does not read it.
+/// Tells one stage's text from another's: canonical permutations with equal stage keys have equal texts
+/// there, and share that shader. No permutation's key: fromKey() does not read it.
 Key stageKey(const Permutation& permutation, Stage stage);
 
 /// The name: words for all choices that are not the default, material words joined by '.', the rest by
@@ -203,8 +203,9 @@ struct Canonical {
     std::vector<Dropped> dropped;
 };
 
-/// Refuses contradictions ("permutation.contradiction") and drops no-ops. Idempotent. It never looks at a
-/// machine: whether a GPU can hold the program is budget.h's question.
+/// Refuses contradictions ("permutation.contradiction") and values that no choice has ("permutation.range"),
+/// and drops no-ops. Idempotent. It never looks at a machine: whether a GPU can hold the program is
+/// budget.h's question.
 Result<Canonical> canonicalise(const Permutation& permutation);
 
 } // namespace franken
