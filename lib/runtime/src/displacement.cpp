@@ -117,13 +117,6 @@ void computeNormals(Primitive& primitive, const Groups& groups) {
             primitive.normals[i] = glm::vec3(glm::normalize(sum));
 }
 
-std::vector<glm::vec2> tangentUvOf(const Primitive& primitive, const TextureRef& normalTexture) {
-    std::vector<glm::vec2> uv = primitive.uv[normalTexture.uvSet];
-    for (glm::vec2& point : uv)
-        point = glm::vec2(normalTexture.transform * glm::vec3(point, 1.0f));
-    return uv;
-}
-
 } // namespace
 
 float heightAt(const HeightMap& map, const glm::vec2& uv) {
@@ -163,7 +156,7 @@ Result<void> displace(Scene& scene, const HeightMap& map, int material) {
             if (material != kNone && primitive.material != material)
                 continue;
             const Material& of = scene.materials[static_cast<std::size_t>(primitive.material)];
-            const std::vector<glm::vec2> uv = tangentUvOf(primitive, of.normalTexture);
+            const std::vector<glm::vec2> uv = sampledUv(primitive, of.normalTexture);
             if (Result<void> displaced = displace(primitive, map, uv); !displaced)
                 return displaced;
         }

@@ -14,25 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// An open file, closed at the end.
-class Descriptor {
-public:
-    // Without O_NONBLOCK, opening a pipe would wait for its writer.
-    explicit Descriptor(const fs::path& path)
-        : m_number(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-    ~Descriptor() {
-        if (m_number >= 0)
-            close(m_number);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    int number() const { return m_number; }
-
-private:
-    int m_number;
-};
-
 Error openError(const fs::path& path, const std::string& reason) {
     return {"file.open", path.string(), "the file " + path.filename().string() + " cannot be read: " + reason,
             "check that it exists, is a file, and may be read"};
@@ -52,10 +33,16 @@ bool readAll(int file, std::vector<std::uint8_t>& bytes) {
 
 } // namespace
 
+Descriptor::~Descriptor() {
+    if (m_number >= 0)
+        close(m_number);
+}
+
 Result<std::vector<std::uint8_t>> readFile(const fs::path& path, std::size_t maxBytes) {
-    const Descriptor file(path);
+    // Without O_NONBLOCK, opening a pipe would wait for its writer.
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     struct stat status {};
-    if (file.number() < 0 || fstat(file.number(), &status) != 0)
+    if (!file || fstat(file.number(), &status) != 0)
         return openError(path, std::strerror(errno));
     if (!S_ISREG(status.st_mode))
         return openError(path, "it is no regular file");

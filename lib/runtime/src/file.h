@@ -10,6 +10,21 @@
 
 namespace franken {
 
+/// A file descriptor, closed at the end; false where open() failed.
+class Descriptor {
+public:
+    explicit Descriptor(int number) : m_number(number) {}
+    ~Descriptor();
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    explicit operator bool() const { return m_number >= 0; }
+    int number() const { return m_number; }
+
+private:
+    int m_number;
+};
+
 /// The whole of a regular file; directories, devices and pipes are none. Fails with
 ///
 ///     file.open    it is not there, may not be read, or is no regular file

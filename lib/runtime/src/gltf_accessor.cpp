@@ -90,8 +90,7 @@ bool forEachElement(Source& source, int index, Store store) {
         if (element >= accessor.count)
             return source.fail("gltf.index-range", pathOf("accessors", index, "sparse/indices"),
                                "sparse index " + std::to_string(element) +
-                                   " is not below the accessor's count of " + std::to_string(accessor.count),
-                               std::string(kFixExporter));
+                                   " is not below the accessor's count of " + std::to_string(accessor.count));
         store(element, values + i * packed);
     }
     return true;
@@ -135,8 +134,7 @@ bool readFloats(Source& source, int index, std::span<float> out) {
     for (std::size_t i = 0; i < out.size(); ++i)
         if (!std::isfinite(out[i]))
             return source.fail("gltf.value", pathOf("accessors", index),
-                               "element " + std::to_string(i / n) + " is not finite",
-                               std::string(kFixExporter));
+                               "element " + std::to_string(i / n) + " is not finite");
     return true;
 }
 

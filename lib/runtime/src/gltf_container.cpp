@@ -18,14 +18,12 @@ std::uint32_t word(std::span<const std::uint8_t> bytes, std::size_t offset) {
 bool nextChunk(Source& source, std::span<const std::uint8_t> bytes, std::size_t& offset, std::uint32_t& type,
                std::span<const std::uint8_t>& chunk) {
     if (bytes.size() - offset < kChunkHeaderSize)
-        return source.fail("gltf.container", "", "the .glb ends inside a chunk's header",
-                           std::string(kDamaged));
+        return source.fail("gltf.container", "", "the .glb ends inside a chunk's header", kDamaged);
     const std::size_t size = word(bytes, offset);
     type = word(bytes, offset + 4);
     offset += kChunkHeaderSize;
     if (size > bytes.size() - offset)
-        return source.fail("gltf.container", "", "a chunk of the .glb is longer than the file",
-                           std::string(kDamaged));
+        return source.fail("gltf.container", "", "a chunk of the .glb is longer than the file", kDamaged);
     chunk = bytes.subspan(offset, size);
     offset += size;
     return true;
@@ -40,21 +38,19 @@ bool openContainer(Source& source) {
     if (bytes.size() < 4 || word(bytes, 0) != kMagic)
         return true; // the file is the JSON itself
     if (bytes.size() < kHeaderSize)
-        return source.fail("gltf.container", "", "the .glb ends inside its header", std::string(kDamaged));
+        return source.fail("gltf.container", "", "the .glb ends inside its header", kDamaged);
     if (word(bytes, 4) != 2)
         return source.fail("gltf.version", "",
                            "the .glb has container version " + std::to_string(word(bytes, 4)),
                            "only glTF 2.0 is read: convert the file");
     if (word(bytes, 8) > bytes.size())
-        return source.fail("gltf.container", "", "the .glb is shorter than its header says",
-                           std::string(kDamaged));
+        return source.fail("gltf.container", "", "the .glb is shorter than its header says", kDamaged);
     bytes = bytes.first(word(bytes, 8));
     std::size_t offset = kHeaderSize;
     std::uint32_t type = 0;
     if (offset > bytes.size() || !nextChunk(source, bytes, offset, type, source.jsonText) ||
         type != kJsonChunk)
-        return source.fail("gltf.container", "", "the .glb does not begin with a JSON chunk",
-                           std::string(kDamaged));
+        return source.fail("gltf.container", "", "the .glb does not begin with a JSON chunk", kDamaged);
     std::span<const std::uint8_t> data;
     if (offset < bytes.size() && !nextChunk(source, bytes, offset, type, data))
         return false;

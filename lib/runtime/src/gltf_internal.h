@@ -19,6 +19,10 @@
 
 namespace franken::gltf {
 
+inline constexpr std::string_view kDamaged = "the file is cut or damaged: copy or export it again";
+inline constexpr std::string_view kFixExporter =
+    "export the file again, or see what glTF-Validator says of it";
+
 /// A buffer of the file. Its bytes are looked for, but their absence is an error only where they are drawn.
 struct Buffer {
     std::string uri; ///< Empty: the binary chunk, or none at all.
@@ -56,7 +60,8 @@ struct Source {
     std::set<std::string> warned;
 
     /// Records an error at the JSON path `where`; false, to be returned.
-    bool fail(std::string_view code, const std::string& where, std::string what, std::string remedy = {});
+    bool fail(std::string_view code, const std::string& where, std::string what,
+              std::string_view remedy = kFixExporter);
     /// Takes `count` times `bytesEach` from the memory that the file may use, for `where`, before it is
     /// allocated. Nothing is ever given back: so it bounds the work as well.
     bool charge(std::size_t count, std::size_t bytesEach, const std::string& where);
@@ -68,10 +73,6 @@ struct Source {
     void warnOnce(const std::string& what);
     bool uses(std::string_view extension) const;
 };
-
-inline constexpr std::string_view kDamaged = "the file is cut or damaged: copy or export it again";
-inline constexpr std::string_view kFixExporter =
-    "export the file again, or see what glTF-Validator says of it";
 
 /// "/meshes/0/primitives/1" from ("meshes", 0, "primitives", 1).
 template<typename... Parts>

@@ -99,15 +99,13 @@ void makeIntegers(Json& value) {
 // What an object is, a word in it says, and that it needs a member of that name.
 bool checkChoice(Source& source, const Json& object, const std::string& where) {
     const auto& type = object["type"].get_ref<const std::string&>();
-    return object.contains(type) || source.fail("gltf.schema", where, "the property " + type + " is missing",
-                                                std::string(kFixExporter));
+    return object.contains(type) || source.fail("gltf.schema", where, "the property " + type + " is missing");
 }
 
 bool checkCamera(Source& source, const Json& camera, const std::string& where) {
     if (camera["type"] == "perspective" || camera["type"] == "orthographic")
         return checkChoice(source, camera, where);
-    return source.fail("gltf.value", where + "/type", "a camera is perspective or orthographic",
-                       std::string(kFixExporter));
+    return source.fail("gltf.value", where + "/type", "a camera is perspective or orthographic");
 }
 
 bool checkAccessor(Source& source, Json& accessor, std::size_t views, const std::string& where) {
@@ -117,8 +115,7 @@ bool checkAccessor(Source& source, Json& accessor, std::size_t views, const std:
     const int component = accessor["componentType"].get<int>();
     if (std::find(kComponents.begin(), kComponents.end(), component) == kComponents.end())
         return source.fail("gltf.type", where + "/componentType",
-                           "there is no component type " + std::to_string(component),
-                           std::string(kFixExporter));
+                           "there is no component type " + std::to_string(component));
     constexpr std::array<std::string_view, 7> kTypes{"SCALAR", "VEC2", "VEC3", "VEC4",
                                                      "MAT2",   "MAT3", "MAT4"};
     const auto& type = accessor["type"].get_ref<const std::string&>();
@@ -133,8 +130,7 @@ bool checkStride(Source& source, const Json& view, const std::string& where) {
     const Json& stride = member(view, "byteStride");
     const std::size_t bytes = stride.is_null() ? 4 : stride.get<std::size_t>();
     return (bytes >= 4 && bytes <= 252 && bytes % 4 == 0) ||
-           source.fail("gltf.value", where + "/byteStride", "a stride is a multiple of 4 from 4 to 252",
-                       std::string(kFixExporter));
+           source.fail("gltf.value", where + "/byteStride", "a stride is a multiple of 4 from 4 to 252");
 }
 
 bool checkMesh(Source& source, const Json& mesh, std::size_t accessors, const std::string& where) {
@@ -199,7 +195,7 @@ bool takeResources(Source& source, Json& root) {
     for (Json& image : root["images"]) {
         if (image.contains("bufferView") == image.contains("uri"))
             return source.fail("gltf.schema", pathOf("images", source.images.size()),
-                               "an image has either a buffer view or a URI", std::string(kFixExporter));
+                               "an image has either a buffer view or a URI");
         source.images.push_back(
             {takeString(image, "name"), takeString(image, "uri"), image.value("bufferView", kNone), {}, {}});
         image = {{"uri", kOneByte}};

@@ -26,10 +26,11 @@ std::string printable(std::string text) {
 
 } // namespace
 
-bool Source::fail(std::string_view code, const std::string& where, std::string what, std::string remedy) {
+bool Source::fail(std::string_view code, const std::string& where, std::string what,
+                  std::string_view remedy) {
     if (!error)
         error = Error{std::string(code), where.empty() ? file : file + ": " + printable(where),
-                      printable(std::move(what)), std::move(remedy)};
+                      printable(std::move(what)), std::string(remedy)};
     return false;
 }
 
@@ -75,8 +76,7 @@ bool parse(Source& source, const std::string& text) {
     std::string errors, warnings;
     if (!parser.LoadASCIIFromString(&source.model, &errors, &warnings, text.data(),
                                     static_cast<unsigned int>(text.size()), ""))
-        return source.fail("gltf.json", "", "the parser refuses the file: " + firstLine(errors),
-                           std::string(kFixExporter));
+        return source.fail("gltf.json", "", "the parser refuses the file: " + firstLine(errors));
     // tinygltf takes inverse bind matrices to be required; glTF does not.
     if (!errors.empty() && errors.find("inverseBindMatrices") == std::string::npos)
         source.warn("", "the parser left something out: " + firstLine(errors));
@@ -111,8 +111,7 @@ Result<Scene> loadBytes(std::span<const std::uint8_t> bytes, const std::string& 
     } catch (const std::bad_alloc&) {
         source.fail("gltf.limit", "", "there is not enough memory for the file", "make the model smaller");
     } catch (const std::exception& exception) {
-        source.fail("gltf.json", "", std::string("the parser gives up: ") + exception.what(),
-                    std::string(kFixExporter));
+        source.fail("gltf.json", "", std::string("the parser gives up: ") + exception.what());
     }
     return *std::move(source.error);
 }

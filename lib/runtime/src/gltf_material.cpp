@@ -87,7 +87,7 @@ bool readFactors(Source& source, const tinygltf::Material& from, const std::stri
     const float strength = emissiveStrength(from);
     if (!std::isfinite(strength) || strength < 0.0f)
         return source.fail("gltf.value", where + "/extensions/KHR_materials_emissive_strength",
-                           "the strength is negative or not finite", std::string(kFixExporter));
+                           "the strength is negative or not finite");
     material.emissive *= strength;
     material.alphaCutoff = std::fmax(static_cast<float>(from.alphaCutoff), 0.0f);
     return true;
@@ -103,8 +103,7 @@ bool readMaterial(Source& source, const tinygltf::Material& from, const std::str
     else if (from.alphaMode == "BLEND")
         material.alphaMode = AlphaMode::Blend;
     else if (from.alphaMode != "OPAQUE")
-        return source.fail("gltf.value", where + "/alphaMode", "there is no alpha mode " + from.alphaMode,
-                           std::string(kFixExporter));
+        return source.fail("gltf.value", where + "/alphaMode", "there is no alpha mode " + from.alphaMode);
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     const std::string pbrPath = where + "/pbrMetallicRoughness";
     return readFactors(source, from, where, material) &&
@@ -128,8 +127,7 @@ bool readWrap(Source& source, int value, const std::string& where, Wrap& wrap) {
         wrap = Wrap::MirroredRepeat;
         return true;
     default:
-        return source.fail("gltf.value", where, "there is no wrap mode " + std::to_string(value),
-                           std::string(kFixExporter));
+        return source.fail("gltf.value", where, "there is no wrap mode " + std::to_string(value));
     }
 }
 
@@ -157,8 +155,7 @@ bool readFilter(Source& source, int value, bool isMag, const std::string& where,
         filter = Filter::LinearMipmapLinear;
         return true;
     default:
-        return source.fail("gltf.value", where, "there is no such filter: " + std::to_string(value),
-                           std::string(kFixExporter));
+        return source.fail("gltf.value", where, "there is no such filter: " + std::to_string(value));
     }
 }
 

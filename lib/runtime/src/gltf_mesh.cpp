@@ -67,8 +67,7 @@ bool readTriangles(Source& source, const tinygltf::Primitive& from, const std::s
         if (vertices[i] >= count)
             return source.fail("gltf.vertex-range", where + "/indices",
                                "index " + std::to_string(i) + " is " + std::to_string(vertices[i]) +
-                                   ", but there are only " + std::to_string(count) + " vertices",
-                               std::string(kFixExporter));
+                                   ", but there are only " + std::to_string(count) + " vertices");
     primitive.indices = triangles(vertices, from.mode);
     return true;
 }
@@ -89,17 +88,10 @@ void completeTangents(Source& source, const Material& material, const std::strin
                       Primitive& primitive) {
     if (!material.normalTexture || !primitive.tangents.empty())
         return;
-    const std::vector<glm::vec2>& uv = primitive.uv[material.normalTexture.uvSet];
-    if (uv.empty()) {
-        source.warn(where, "the material has a normal texture, but its UV stream is missing");
-        return;
-    }
-    if (!material.normalTexture.transformed)
-        return computeTangents(primitive, uv);
-    std::vector<glm::vec2> transformed = uv;
-    for (glm::vec2& point : transformed)
-        point = glm::vec2(material.normalTexture.transform * glm::vec3(point, 1.0f));
-    computeTangents(primitive, transformed);
+    const std::vector<glm::vec2> uv = sampledUv(primitive, material.normalTexture);
+    if (uv.empty())
+        return source.warn(where, "the material has a normal texture, but its UV stream is missing");
+    computeTangents(primitive, uv);
 }
 
 int materialOf(const tinygltf::Primitive& from, Scene& scene, std::size_t fileMaterials) {

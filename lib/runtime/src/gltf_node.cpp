@@ -82,7 +82,7 @@ bool worldMatrices(Source& source, std::vector<glm::mat4>& worlds) {
         worlds[at(node)] = glm::mat4(exact[at(node)]);
         if (!isFinite(worlds[at(node)]))
             return source.fail("gltf.value", pathOf("nodes", node),
-                               "the node's place in the world is not finite", std::string(kFixExporter));
+                               "the node's place in the world is not finite");
     }
     return true;
 }

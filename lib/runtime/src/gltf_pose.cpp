@@ -10,23 +10,16 @@
 namespace franken::gltf {
 namespace {
 
-bool addDeltas(Source& source, int accessor, float weight, std::vector<glm::vec3>& to) {
+// Of a tangent, the first three: a target never flips the handedness.
+template<typename Vector>
+bool addDeltas(Source& source, int accessor, float weight, std::vector<Vector>& to) {
     std::vector<glm::vec3> deltas;
     if (!source.charge(to.size(), sizeof(glm::vec3), pathOf("accessors", accessor)) ||
         !readVectors(source, accessor, deltas))
         return false;
     for (std::size_t i = 0; i < to.size(); ++i)
-        to[i] += weight * deltas[i];
-    return true;
-}
-
-bool addTangentDeltas(Source& source, int accessor, float weight, std::vector<glm::vec4>& to) {
-    std::vector<glm::vec3> deltas;
-    if (!source.charge(to.size(), sizeof(glm::vec3), pathOf("accessors", accessor)) ||
-        !readVectors(source, accessor, deltas))
-        return false;
-    for (std::size_t i = 0; i < to.size(); ++i)
-        to[i] += glm::vec4(weight * deltas[i], 0.0f); // a target never flips the handedness
+        for (int c = 0; c < 3; ++c)
+            to[i][c] += weight * deltas[i][c];
     return true;
 }
 
@@ -61,7 +54,7 @@ bool applyMorph(Source& source, const tinygltf::Primitive& from, const std::stri
             else if (name == "NORMAL" && !primitive.normals.empty())
                 read = addDeltas(source, accessor, weight, primitive.normals);
             else if (name == "TANGENT" && !primitive.tangents.empty())
-                read = addTangentDeltas(source, accessor, weight, primitive.tangents);
+                read = addDeltas(source, accessor, weight, primitive.tangents);
             else if (name != "NORMAL" && name != "TANGENT")
                 source.warnOnce("morph targets of " + name + " are left out");
             if (!read)
@@ -94,8 +87,8 @@ bool applySkin(Source& source, const tinygltf::Primitive& from, const std::strin
             if (numbers[i][j] >= joints.size())
                 return source.fail("gltf.index-range", where + "/attributes/JOINTS_0",
                                    "vertex " + std::to_string(i) + " names joint " +
-                                       std::to_string(numbers[i][j]) + " of " + std::to_string(joints.size()),
-                                   std::string(kFixExporter));
+                                       std::to_string(numbers[i][j]) + " of " +
+                                       std::to_string(joints.size()));
             blended += weights[i][j] / sum * joints[numbers[i][j]];
         }
         if (sum == 0.0f)

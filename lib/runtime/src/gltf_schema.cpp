@@ -191,8 +191,7 @@ public:
         for (const Property& property : schema)
             if (property.required && !object.contains(property.name))
                 return m_source.fail("gltf.schema", where,
-                                     "the property " + std::string(property.name) + " is missing",
-                                     std::string(kFixExporter));
+                                     "the property " + std::string(property.name) + " is missing");
         return true;
     }
 
@@ -205,8 +204,7 @@ private:
             return m_source.fail("gltf.schema", where,
                                  "an array is expected here, each element " +
                                      std::string(kDescriptions[static_cast<std::size_t>(property.kind)]) +
-                                     (any ? "" : ", of length " + std::to_string(property.length)),
-                                 std::string(kFixExporter));
+                                     (any ? "" : ", of length " + std::to_string(property.length)));
         for (std::size_t i = 0; i < value.size(); ++i)
             if (!checkValue(value[i], property, where + pathOf(i)))
                 return false;
@@ -242,8 +240,7 @@ private:
         return m_source.fail(
             kind == Kind::Index ? "gltf.index-range" : "gltf.value", where,
             value.dump() + " is out of range: " + std::string(kDescriptions[static_cast<std::size_t>(kind)]) +
-                " is expected here",
-            std::string(kFixExporter));
+                " is expected here");
     }
 
     bool checkAttributes(Json& object, const std::string& where) {
@@ -258,8 +255,7 @@ private:
     bool wrongType(Kind expected, const std::string& where) {
         return m_source.fail("gltf.schema", where,
                              std::string(kDescriptions[static_cast<std::size_t>(expected)]) +
-                                 " is expected here",
-                             std::string(kFixExporter));
+                                 " is expected here");
     }
 
     Source& m_source;

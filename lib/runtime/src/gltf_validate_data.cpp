@@ -22,7 +22,7 @@ bool isOneOf(int value, std::initializer_list<int> values) {
 }
 
 bool typeError(Source& source, const std::string& where, const std::string& what) {
-    return source.fail("gltf.type", where, what, std::string(kFixExporter));
+    return source.fail("gltf.type", where, what);
 }
 
 bool checkViews(Source& source) {
@@ -34,8 +34,7 @@ bool checkViews(Source& source) {
         const std::size_t size = source.buffers[at(view.buffer)].length;
         if (view.byteOffset > size || view.byteLength > size - view.byteOffset)
             return source.fail("gltf.bounds", where,
-                               "the view reaches outside its buffer of " + std::to_string(size) + " bytes",
-                               std::string(kFixExporter));
+                               "the view reaches outside its buffer of " + std::to_string(size) + " bytes");
     }
     return true;
 }
@@ -54,8 +53,7 @@ bool checkRange(Source& source, int view, std::size_t offset, std::size_t count,
     if (offset > length || size > length - offset || count - 1 > (length - offset - size) / stride)
         return source.fail("gltf.bounds", where,
                            std::to_string(count) + " elements reach outside their view of " +
-                               std::to_string(length) + " bytes",
-                           std::string(kFixExporter));
+                               std::to_string(length) + " bytes");
     return true;
 }
 
@@ -86,8 +84,7 @@ bool checkExtent(Source& source, const tinygltf::Accessor& accessor, const std::
         return false;
     for (std::size_t i = 0; i < std::min(least.size(), most.size()); ++i)
         if (least[i] > most[i])
-            return source.fail("gltf.value", where + "/min" + pathOf(i), "the minimum is above the maximum",
-                               std::string(kFixExporter));
+            return source.fail("gltf.value", where + "/min" + pathOf(i), "the minimum is above the maximum");
     return true;
 }
 
@@ -159,7 +156,7 @@ bool checkAttributes(Source& source, const std::map<std::string, int>& attribute
 bool checkPrimitive(Source& source, const tinygltf::Primitive& primitive, const std::string& where) {
     if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
         return source.fail("gltf.value", where + "/mode",
-                           "there is no mode " + std::to_string(primitive.mode), std::string(kFixExporter));
+                           "there is no mode " + std::to_string(primitive.mode));
     if (!checkIndex(source, primitive.material, source.model.materials.size(), where + "/material") ||
         !checkIndex(source, primitive.indices, source.model.accessors.size(), where + "/indices"))
         return false;

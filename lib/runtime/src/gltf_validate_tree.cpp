@@ -10,8 +10,7 @@ bool checkPresent(Source& source, int index, std::size_t size, const std::string
         return true;
     return source.fail("gltf.index-range", where,
                        "the index " + std::to_string(index) + " points at nothing: there are " +
-                           std::to_string(size),
-                       std::string(kFixExporter));
+                           std::to_string(size));
 }
 
 bool checkIndex(Source& source, int index, std::size_t size, const std::string& where) {
@@ -21,7 +20,7 @@ bool checkIndex(Source& source, int index, std::size_t size, const std::string& 
 bool checkFinite(Source& source, const std::vector<double>& numbers, const std::string& where) {
     for (const double number : numbers)
         if (!std::isfinite(static_cast<float>(number)))
-            return source.fail("gltf.value", where, "a number is not finite", std::string(kFixExporter));
+            return source.fail("gltf.value", where, "a number is not finite");
     return true;
 }
 
@@ -30,8 +29,7 @@ namespace {
 bool checkLength(Source& source, const std::vector<double>& numbers, std::size_t length,
                  const std::string& where) {
     if (!numbers.empty() && numbers.size() != length)
-        return source.fail("gltf.type", where, std::to_string(length) + " numbers are expected here",
-                           std::string(kFixExporter));
+        return source.fail("gltf.type", where, std::to_string(length) + " numbers are expected here");
     return checkFinite(source, numbers, where);
 }
 
@@ -66,7 +64,7 @@ bool checkForest(Source& source) {
         for (const int child : source.model.nodes[i].children) {
             if (parent[at(child)] != kNone)
                 return source.fail("gltf.node-tree", pathOf("nodes", child),
-                                   "the node has more than one parent", std::string(kFixExporter));
+                                   "the node has more than one parent");
             parent[at(child)] = static_cast<int>(i);
         }
     std::vector<bool> rooted(count, false);
@@ -74,8 +72,7 @@ bool checkForest(Source& source) {
         std::size_t steps = 0;
         for (int up = static_cast<int>(i); up != kNone && !rooted[at(up)]; up = parent[at(up)])
             if (++steps > count)
-                return source.fail("gltf.node-tree", pathOf("nodes", i), "the node is its own ancestor",
-                                   std::string(kFixExporter));
+                return source.fail("gltf.node-tree", pathOf("nodes", i), "the node is its own ancestor");
         for (int up = static_cast<int>(i); up != kNone && !rooted[at(up)]; up = parent[at(up)])
             rooted[at(up)] = true;
     }
@@ -86,8 +83,7 @@ bool checkSkin(Source& source, std::size_t index) {
     const tinygltf::Skin& skin = source.model.skins[index];
     const std::string where = pathOf("skins", index);
     if (skin.joints.empty())
-        return source.fail("gltf.type", where + "/joints", "a skin has at least one joint",
-                           std::string(kFixExporter));
+        return source.fail("gltf.type", where + "/joints", "a skin has at least one joint");
     if (!checkAllPresent(source, skin.joints, source.model.nodes.size(), where + "/joints") ||
         !checkIndex(source, skin.inverseBindMatrices, source.model.accessors.size(),
                     where + "/inverseBindMatrices"))
@@ -98,7 +94,7 @@ bool checkSkin(Source& source, std::size_t index) {
     if (matrices.type != TINYGLTF_TYPE_MAT4 || matrices.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT ||
         matrices.count < skin.joints.size())
         return source.fail("gltf.type", where + "/inverseBindMatrices",
-                           "a float MAT4 for each joint is expected", std::string(kFixExporter));
+                           "a float MAT4 for each joint is expected");
     return true;
 }
 

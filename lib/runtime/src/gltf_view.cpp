@@ -31,8 +31,7 @@ bool readCamera(Source& source, int index, Camera& camera) {
     const bool finite = std::isfinite(camera.aspectRatio) && std::isfinite(camera.xmag) &&
                         std::isfinite(camera.ymag) && std::isfinite(camera.zfar);
     return (lens && depth && finite) ||
-           source.fail("gltf.value", pathOf("cameras", index), "the camera's numbers make no projection",
-                       std::string(kFixExporter));
+           source.fail("gltf.value", pathOf("cameras", index), "the camera's numbers make no projection");
 }
 
 bool isKnownLight(Source& source, int index) {
@@ -47,9 +46,7 @@ bool isKnownLight(Source& source, int index) {
 bool readLight(Source& source, int index, Light& light) {
     const tinygltf::Light& from = source.model.lights[at(index)];
     const std::string where = pathOf("extensions/KHR_lights_punctual/lights", index);
-    const auto fail = [&](const char* what) {
-        return source.fail("gltf.value", where, what, std::string(kFixExporter));
-    };
+    const auto fail = [&](const char* what) { return source.fail("gltf.value", where, what); };
     light.name = from.name;
     if (from.type == "point")
         light.kind = Light::Kind::Point;

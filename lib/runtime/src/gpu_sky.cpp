@@ -2,15 +2,11 @@
 #include "gpu_sky.h"
 
 #include "franken/generator/interface.h"
+
 #include <algorithm>
 
 namespace franken {
 namespace {
-
-constexpr Texture kClamped = {.wrapS = Wrap::ClampToEdge,
-                              .wrapT = Wrap::ClampToEdge,
-                              .magFilter = Filter::Linear,
-                              .minFilter = Filter::Linear};
 
 void bind(GlState& state, const char* sampler, const GpuTexture& texture) {
     state.bindTexture(static_cast<unsigned>(samplerUnit(sampler)), GL_TEXTURE_2D, texture.texture.name());
@@ -31,7 +27,7 @@ Result<GpuMirror> uploadMirror(const Device& device, const SkyMirror& mirror) {
                      "filter the sky to a smaller size"};
     GpuMirror gpu(device.gl);
     for (const auto& [texture, image] : {std::pair(&gpu.atlas, &atlas), {&gpu.lookup, &mirror.lookup}}) {
-        Result<GpuTexture> uploaded = uploadTexture(device, *image, kClamped, TextureContents::Numbers);
+        Result<GpuTexture> uploaded = uploadTexture(device, *image, kPlainSampling, TextureContents::Numbers);
         if (!uploaded)
             return uploaded.error();
         *texture = *std::move(uploaded);

@@ -81,11 +81,6 @@ void uploadLevels(const Gl& gl, const Image& image, bool mipmaps, TextureContent
             uploadPixels(gl, GL_TEXTURE_2D, smaller, ++level);
 }
 
-constexpr Texture kPlain = {.wrapS = Wrap::ClampToEdge,
-                            .wrapT = Wrap::ClampToEdge,
-                            .magFilter = Filter::Linear,
-                            .minFilter = Filter::Linear};
-
 } // namespace
 
 TextureSize fittedSize(const Image& image, const Texture& texture, const Capabilities& capabilities) {
@@ -133,14 +128,14 @@ Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const
 
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
     GlTexture name(gl, generate(gl.GenTextures));
-    bind(gl, GL_TEXTURE_2D, name, kPlain);
+    bind(gl, GL_TEXTURE_2D, name, kPlainSampling);
     uploadPixels(gl, GL_TEXTURE_2D, {"", 1, 1, {rgba.begin(), rgba.end()}});
     return name;
 }
 
 GlTexture uploadCube(const Gl& gl, const SkyCube& cube) {
     GlTexture name(gl, generate(gl.GenTextures));
-    bind(gl, GL_TEXTURE_CUBE_MAP, name, kPlain);
+    bind(gl, GL_TEXTURE_CUBE_MAP, name, kPlainSampling);
     for (std::size_t face = 0; face < cube.images.size(); ++face)
         uploadPixels(gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), cube.images[face]);
     return name;

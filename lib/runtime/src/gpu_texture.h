@@ -26,6 +26,12 @@ struct GpuTexture {
     MemoryLease memory;
 };
 
+/// How what is neither tiled nor minified is sampled.
+inline constexpr Texture kPlainSampling = {.wrapS = Wrap::ClampToEdge,
+                                           .wrapT = Wrap::ClampToEdge,
+                                           .magFilter = Filter::Linear,
+                                           .minFilter = Filter::Linear};
+
 struct TextureSize {
     int width, height;
     friend bool operator==(const TextureSize&, const TextureSize&) = default;

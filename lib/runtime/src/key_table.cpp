@@ -12,10 +12,14 @@ void KeyTable::insert(Key key, std::uint32_t place) {
     assert(key != kNoKey && find(key) == kAbsent);
     if (2 * ++m_used > m_cells.size())
         reserve(2 * m_cells.size());
-    std::size_t cell = home(key);
+    put({key, place});
+}
+
+void KeyTable::put(const Cell& entry) {
+    std::size_t cell = home(entry.key);
     while (m_cells[cell].key != kNoKey)
         cell = (cell + 1) & m_mask;
-    m_cells[cell] = {key, place};
+    m_cells[cell] = entry;
 }
 
 void KeyTable::clear() {
@@ -27,13 +31,9 @@ void KeyTable::reserve(std::size_t cells) {
     const std::vector<Cell> old = std::exchange(m_cells, std::vector<Cell>(cells));
     m_mask = cells - 1;
     m_shift = 64 - static_cast<unsigned>(std::countr_zero(cells));
-    for (const Cell& moved : old) {
-        std::size_t cell = home(moved.key);
-        while (moved.key != kNoKey && m_cells[cell].key != kNoKey)
-            cell = (cell + 1) & m_mask;
+    for (const Cell& moved : old)
         if (moved.key != kNoKey)
-            m_cells[cell] = moved;
-    }
+            put(moved);
 }
 
 } // namespace franken

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "franken/manifest.h"
 
+#include "file.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,28 +14,6 @@ namespace franken {
 namespace {
 
 namespace fs = std::filesystem;
-
-Error unreadable(const fs::path& file, const std::string& reason) {
-    return {"manifest.read", file.string(), "cannot be read: " + reason,
-            "nothing, at a first start: it is written when something was missing"};
-}
-
-/// Closes at the end.
-class Descriptor {
-public:
-    explicit Descriptor(int descriptor) : m_descriptor(descriptor) {}
-    ~Descriptor() {
-        if (m_descriptor >= 0)
-            ::close(m_descriptor);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-    explicit operator bool() const { return m_descriptor >= 0; }
-    int get() const { return m_descriptor; }
-
-private:
-    int m_descriptor;
-};
 
 bool writeAll(int descriptor, std::string_view text) {
     while (!text.empty()) {
@@ -48,21 +27,19 @@ bool writeAll(int descriptor, std::string_view text) {
 
 bool writeToDisk(const fs::path& file, std::string_view text) {
     const Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644));
-    return out && writeAll(out.get(), text) && ::fsync(out.get()) == 0;
+    return out && writeAll(out.number(), text) && ::fsync(out.number()) == 0;
 }
 
 } // namespace
 
 Result<std::vector<ProgramUse>> readManifest(const fs::path& file) {
-    std::error_code failed;
-    if (!fs::is_regular_file(file, failed))
-        return unreadable(file, failed ? failed.message() : "it is no file");
-    std::ifstream in(file, std::ios::binary);
-    std::string text(kMaxManifestBytes + 1, '\0');
-    in.read(text.data(), static_cast<std::streamsize>(text.size()));
-    if (!in.is_open() || in.bad())
-        return unreadable(file, std::strerror(errno));
-    text.resize(static_cast<std::size_t>(in.gcount()));
+    const Result<std::vector<std::uint8_t>> bytes = readFile(file, kMaxManifestBytes);
+    if (!bytes && bytes.error().code == "file.size")
+        return Error{"manifest.size", file.string(), bytes.error().what, "keep what is needed"};
+    if (!bytes)
+        return Error{"manifest.read", file.string(), bytes.error().what,
+                     "nothing, at a first start: it is written when something was missing"};
+    const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     return parseManifest(text, file.string());
 }
 
@@ -86,7 +63,7 @@ Result<void> writeManifest(const fs::path& file, std::span<const ProgramUse> use
     // So that the new name outlives a power cut as well; where a file system cannot, it did what it can.
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
     if (const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); directory)
-        ::fsync(directory.get());
+        ::fsync(directory.number());
     return {};
 }
 

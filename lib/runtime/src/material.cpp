@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/material.h"
 
+#include "franken/draw_state.h"
 #include "franken/tessellation.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -217,15 +218,12 @@ Result<Permutation> skyPermutation(const Look& look) {
 
 Result<std::vector<Permutation>> permutationsOf(const Scene& scene, const Lighting& lighting,
                                                 const Look& look, const Log& log) {
+    const Result<std::vector<ProgramUse>> uses = usesOf(scene, lighting, look, log);
+    if (!uses)
+        return uses.error();
     std::vector<Permutation> permutations;
-    for (const Mesh& mesh : scene.meshes)
-        for (const Primitive& primitive : mesh.primitives) {
-            const MaterialPlan plan = planMaterial(scene, primitive.material, contentsOf(primitive), log);
-            const Result<Permutation> permutation = permutationOf(plan, lighting, look);
-            if (!permutation)
-                return permutation.error();
-            permutations.push_back(*permutation);
-        }
+    for (const ProgramUse& use : *uses)
+        permutations.push_back(use.permutation);
     const auto before = [](const Permutation& a, const Permutation& b) { return toKey(a) < toKey(b); };
     std::sort(permutations.begin(), permutations.end(), before);
     permutations.erase(std::unique(permutations.begin(), permutations.end()), permutations.end());

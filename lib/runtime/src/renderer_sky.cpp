@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "franken/generator/interface.h"
 #include "renderer_state.h"
 
 namespace franken {
-namespace {
-
-constexpr unsigned kSkyUnit = 6;
-
-} // namespace
 
 Result<void> Renderer::setBackdrop(const SkyCube* cube, SkySource source) {
     State& state = *m_state;
@@ -52,7 +48,7 @@ Result<void> Renderer::State::uploadMirror(const SkyMirror& source) {
 
 void Renderer::State::drawBackdrop() {
     use(*skyProgram, {frame.view(), lights.view(), {}, {}});
-    glState.bindTexture(kSkyUnit, GL_TEXTURE_CUBE_MAP, sky.name());
+    glState.bindTexture(static_cast<unsigned>(samplerUnit("uSkyTexture")), GL_TEXTURE_CUBE_MAP, sky.name());
     if (glState.changesPointers(skyTriangle.name(), 0)) {
         glState.bindVertices(skyTriangle.name());
         glState.setPointer(0, {3, GL_FLOAT, 0, 0});

@@ -262,4 +262,12 @@ void Builder::store() {
 
 void computeTangents(Primitive& primitive, std::span<const glm::vec2> uv) { Builder(primitive, uv).build(); }
 
+std::vector<glm::vec2> sampledUv(const Primitive& primitive, const TextureRef& texture) {
+    std::vector<glm::vec2> uv = primitive.uv[texture.uvSet];
+    if (texture.transformed)
+        for (glm::vec2& point : uv)
+            point = glm::vec2(texture.transform * glm::vec3(point, 1.0f));
+    return uv;
+}
+
 } // namespace franken

@@ -9,8 +9,8 @@ namespace franken {
 /// OpenGL ES 2.0 promises.
 struct Capabilities {
     int maxTextureSize = 64; ///< Width and height, texels.
-    bool anyTextureSize =
-        false; ///< Repeat and mipmaps for sizes that are no powers of two: GL_OES_texture_npot.
+    /// Repeat and mipmaps for sizes that are no powers of two: GL_OES_texture_npot.
+    bool anyTextureSize = false;
     bool wideIndices = false;     ///< 32-bit indices: GL_OES_element_index_uint.
     bool parallelCompile = false; ///< It tells whether it is still compiling: GL_KHR_parallel_shader_compile.
     bool compilesForStaleTextures = false; ///< Mesa's vc4 and v3d: see texture_reset.h.

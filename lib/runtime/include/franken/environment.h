@@ -21,10 +21,9 @@ namespace franken {
 /// A sky, as a picture. World space has +Y up and is right-handed; -Z is ahead and +X to the right.
 struct Environment {
     enum class Layout {
-        /// One picture of everything. A direction (x, y, z) of unit length lies at u = 0.5 + atan2(x, -z) / 2
-        /// pi
-        /// and v = acos(y) / pi, v = 0 in the top row: straight up is above, -Z in the middle, +X at u =
-        /// 0.75.
+        /// One picture of everything. A direction (x, y, z) of unit length lies at u = 0.5 + atan2(x, -z) /
+        /// (2 pi) and v = acos(y) / pi, v = 0 in the top row: straight up is above, -Z in the middle, +X at
+        /// u = 0.75.
         Equirect,
         /// Six square faces, one below the other: +X, -X, +Y, -Y, +Z, -Z, each as glTexImage2D takes it for
         /// its side of a cube map (OpenGL ES 2.0, table 3.21).

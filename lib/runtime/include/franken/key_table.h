@@ -37,6 +37,7 @@ private:
     };
 
     void reserve(std::size_t cells);
+    void put(const Cell& entry);
 
     /// Multiplicative hashing (Knuth, "The Art of Computer Programming" 3, 6.4): the upper bits of key times
     /// 2^64 over the golden ratio.

@@ -18,7 +18,8 @@ struct Lighting {
     Ambient ambient = Ambient::None; ///< Which of the next two is used.
     Float3 ambientColor{0, 0, 0};    ///< Linear radiance, 0 and up.
     SkyCoefficients sky{};
-    /// Beside Ambient::Sky: whether surfaces mirror the sky that the renderer was given (Renderer::setMirror).
+    /// Beside Ambient::Sky: whether surfaces mirror the sky that the renderer was given
+    /// (Renderer::setMirror).
     SkySpecular skySpecular = SkySpecular::None;
     float exposure = 1; ///< Multiplies all light, that of emissive surfaces included; above 0.
 };

@@ -65,7 +65,7 @@ Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& ligh
 Result<Permutation> skyPermutation(const Look& look);
 
 /// The programs that a scene needs in that light, canonical, each once, in the order of their keys. Needs no
-/// GL: it is how a manifest is written.
+/// GL. What a warm-up needs, the state that each is drawn in, usesOf() knows (draw_state.h).
 Result<std::vector<Permutation>> permutationsOf(const Scene& scene, const Lighting& lighting,
                                                 const Look& look, const Log& log = {});
 

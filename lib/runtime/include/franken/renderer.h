@@ -99,9 +99,9 @@ public:
     Result<void> prepare();
 
     /// Makes and draws with all these programs, so that frames that need no others compile nothing, neither
-    /// in this library nor in the driver. usesOf() lists what scenes need in a certain light, a Manifest what
-    /// was needed in an earlier run. To be called once for each kind of target (its format, depth buffer and
-    /// samples count, its size does not), before the first frame: the target's contents are undefined
+    /// in this library nor in the driver. usesOf() lists what scenes need in a certain light, readManifest()
+    /// what was needed in an earlier run. To be called once for each kind of target (its format, depth buffer
+    /// and samples count, its size does not), before the first frame: the target's contents are undefined
     /// afterwards. Fails with "renderer.context-lost" alone: what the driver refuses falls down the ladder.
     Result<WarmUpReport> warmUp(const DrawTarget& target, std::span<const ProgramUse> uses,
                                 const WarmUpProgress& progress = {});

@@ -5,7 +5,7 @@
 
 #include "franken/environment.h"
 
-/// What a rough mirror shows of a sky, made on the CPU once and read by a fragment shader in three texture
+/// What a rough mirror shows of a sky, made on the CPU once and read by a fragment shader in four texture
 /// fetches. generator/README.md compares this way with others, in error and in instructions.
 ///
 /// The BRDF is that of glTF 2.0, appendix B. Its integral over the sky is split in two (Karis, "Real Shading
@@ -61,7 +61,7 @@ inline constexpr int kLookupHeight = 256;
 /// linear filter, clamped to its edge. u is N.V, v the perceptual roughness. With F0 the reflectance at
 /// normal incidence: R and G: the light of a white sky that is reflected is F0 R + G, within 0.004 from N.V
 /// 0.02 and roughness 0.1 up, and within 0.011 below; B: the level to look at, over 8; A: the share of the
-/// irradiance in that light. The direction to look into is bent towards N by kSpecularBend (pack.h).
+/// irradiance in that light. The direction to look into is bent towards N by specularBend() (pack.h).
 Image specularLookup();
 
 /// Both textures: what Renderer::setMirror() takes.

@@ -31,4 +31,8 @@ void computeFlatNormals(Primitive& primitive);
 /// KHR_texture_transform if it has one. Needs `positions`, `normals` and `indices`. All in float.
 void computeTangents(Primitive& primitive, std::span<const glm::vec2> uv);
 
+/// What a texture of the primitive's material is sampled with: its stream, after its KHR_texture_transform.
+/// Empty where the primitive lacks the stream.
+std::vector<glm::vec2> sampledUv(const Primitive& primitive, const TextureRef& texture);
+
 } // namespace franken

@@ -27,8 +27,8 @@ Viewpoint viewpointOf(const Camera& camera, double aspect);
 /// For an empty box: at the origin.
 Camera framingCamera(const Box& bounds, double aspect);
 
-/// The camera with its clipping planes brought in as far as they show all of the box that they showed: a depth
-/// buffer has 24 bits, or 16, and files are generous (0.05 m to 1000 km). For an empty box: as it was.
+/// The camera with its clipping planes brought in as far as they show all of the box that they showed: a
+/// depth buffer has 24 bits, or 16, and files are generous (0.05 m to 1000 km). For an empty box: as it was.
 Camera tightened(const Camera& camera, const Box& bounds);
 
 } // namespace franken
