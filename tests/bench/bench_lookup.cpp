@@ -4,10 +4,8 @@
 #include "franken/generator/covering.h"
 #include "franken/program_cache.h"
 #include "ratio_reporter.h"
+#include "support/null_gl.h"
 
-#include <benchmark/benchmark.h>
-
-#include <cstdlib>
 #include <unordered_map>
 
 namespace {
@@ -16,24 +14,8 @@ using namespace franken;
 
 constexpr std::size_t kPrograms = 200; // What a large kiosk holds.
 
-/// The table of a driver that accepts everything and does nothing.
-Gl nullDriver() {
-    Gl gl;
-    gl.CreateShader = [](GLenum) { return GLuint{1}; };
-    gl.CreateProgram = [] { return GLuint{1}; };
-    gl.ShaderSource = [](GLuint, GLsizei, const GLchar* const*, const GLint*) {};
-    gl.CompileShader = gl.LinkProgram = gl.UseProgram = [](GLuint) {};
-    gl.DeleteShader = gl.DeleteProgram = [](GLuint) {};
-    gl.AttachShader = [](GLuint, GLuint) {};
-    gl.BindAttribLocation = [](GLuint, GLuint, const GLchar*) {};
-    gl.GetProgramiv = [](GLuint, GLenum, GLint* value) { *value = GL_TRUE; };
-    gl.GetUniformLocation = [](GLuint, const GLchar*) { return GLint{0}; };
-    gl.Uniform1i = [](GLint, GLint) {};
-    return gl;
-}
-
 struct Programs {
-    Gl gl = nullDriver();
+    Gl gl = test::nullGl();
     ProgramCache cache{gl};
     std::unordered_map<Key, ProgramHandle> map;
     std::vector<Permutation> permutations = coveringSet();
@@ -53,45 +35,36 @@ Programs& programs() {
     return all;
 }
 
-void findInCache(benchmark::State& state) {
-    Programs& all = programs();
-    std::size_t i = 0;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(all.cache.find(all.keys[i]));
-        i = i + 1 == all.keys.size() ? 0 : i + 1;
-    }
-}
-
 ProgramHandle find(const std::unordered_map<Key, ProgramHandle>& map, Key key) {
     const auto found = map.find(key);
     return found == map.end() ? nullptr : found->second;
 }
 
-void findInMap(benchmark::State& state) {
-    Programs& all = programs();
+/// One program after the other, each by look(its number).
+template<typename Look>
+void measure(benchmark::State& state, Look look) {
+    const std::size_t count = programs().keys.size();
     std::size_t i = 0;
     for (auto _ : state) {
-        benchmark::DoNotOptimize(find(all.map, all.keys[i]));
-        i = i + 1 == all.keys.size() ? 0 : i + 1;
+        benchmark::DoNotOptimize(look(i));
+        i = i + 1 == count ? 0 : i + 1;
     }
+}
+
+void findInCache(benchmark::State& state) {
+    measure(state, [&all = programs()](std::size_t i) { return all.cache.find(all.keys[i]); });
+}
+
+void findInMap(benchmark::State& state) {
+    measure(state, [&all = programs()](std::size_t i) { return find(all.map, all.keys[i]); });
 }
 
 void getFromCache(benchmark::State& state) {
-    Programs& all = programs();
-    std::size_t i = 0;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(all.cache.get(all.permutations[i]));
-        i = i + 1 == all.keys.size() ? 0 : i + 1;
-    }
+    measure(state, [&all = programs()](std::size_t i) { return all.cache.get(all.permutations[i]); });
 }
 
 void getFromMap(benchmark::State& state) {
-    Programs& all = programs();
-    std::size_t i = 0;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(find(all.map, toKey(all.permutations[i])));
-        i = i + 1 == all.keys.size() ? 0 : i + 1;
-    }
+    measure(state, [&all = programs()](std::size_t i) { return find(all.map, toKey(all.permutations[i])); });
 }
 
 BENCHMARK(findInCache);

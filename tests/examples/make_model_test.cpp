@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Is the demonstration model good glTF, and the same everywhere? A picture of it is a golden of the renderer.
+#include "support/shell.h"
+
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <map>
-#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
-#include <gtest/gtest.h>
 #include <tiny_gltf.h>
 
 namespace {
@@ -19,11 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 int run(const fs::path& out) { return std::system((MAKE_MODEL " \"" + out.string() + "\" 2>&1").c_str()); }
-
-std::string readFile(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // FNV-1a, 64 bits (Fowler, Noll, Vo).
 std::uint64_t fingerprint(const std::vector<unsigned char>& bytes) {
@@ -33,13 +25,9 @@ std::uint64_t fingerprint(const std::vector<unsigned char>& bytes) {
     return value;
 }
 
-// Each test has a folder of its own, since CTest may run several at once.
 class MakeModel : public testing::Test {
 protected:
     void SetUp() override {
-        const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-        folder = fs::path(FRANKEN_BINARY_DIR) / "Testing" / "make_model" / test->name();
-        fs::create_directories(folder);
         ASSERT_EQ(run(folder / "urn.gltf"), 0);
 
         std::string error;
@@ -49,7 +37,6 @@ protected:
         ASSERT_TRUE(loader.LoadASCIIFromFile(&model, &error, &warning, path)) << error;
         EXPECT_EQ(error + warning, "");
     }
-    void TearDown() override { fs::remove_all(folder); }
 
     const unsigned char* bytesAt(const tinygltf::Accessor& accessor, std::size_t element) const {
         const tinygltf::BufferView& view = model.bufferViews[accessor.bufferView];
@@ -86,15 +73,15 @@ protected:
         throw std::out_of_range("no material " + name);
     }
 
-    fs::path folder;
+    const fs::path folder = franken::test::emptyTestFolder();
     tinygltf::Model model;
 };
 
 TEST_F(MakeModel, WritesTheSameBytesTwice) {
     ASSERT_EQ(run(folder / "first.glb"), 0);
     ASSERT_EQ(run(folder / "second.glb"), 0);
-    const std::string first = readFile(folder / "first.glb");
-    EXPECT_TRUE(first == readFile(folder / "second.glb"));
+    const std::string first = franken::test::readText(folder / "first.glb");
+    EXPECT_TRUE(first == franken::test::readText(folder / "second.glb"));
     EXPECT_LT(first.size(), 1500000u);
 }
 

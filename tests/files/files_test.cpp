@@ -3,17 +3,14 @@
 // be done within 2 seconds and 256 MiB.
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <set>
-#include <sstream>
 
-#include <gtest/gtest.h>
 #include <sys/stat.h>
 
 #include "malformed.h"
 #include "pictures.h"
+#include "support/shell.h"
 
 namespace {
 
@@ -91,13 +88,10 @@ private:
     double m_seconds = 0;
 };
 
-/// A folder for one test, removed at its end.
+/// The test's folder with a folder in it, removed at the end: some files are large.
 class Folder {
 public:
-    explicit Folder(const std::string& name) : m_path(fs::path(testing::TempDir()) / ("franken_" + name)) {
-        fs::remove_all(m_path);
-        fs::create_directories(m_path / "folder");
-    }
+    Folder() { fs::create_directories(m_path / "folder"); }
     ~Folder() { fs::remove_all(m_path); }
     const fs::path& path() const { return m_path; }
     fs::path write(const std::string& name, const std::string& bytes) const {
@@ -106,11 +100,11 @@ public:
     }
 
 private:
-    fs::path m_path;
+    const fs::path m_path = franken::test::emptyTestFolder();
 };
 
 void expectOutcomes(const std::string& group, const std::vector<MalformedFile>& files) {
-    const Folder folder(group);
+    const Folder folder;
     Tally tally(group);
     for (const MalformedFile& file : files) {
         for (const auto& [name, bytes] : file.beside)
@@ -136,7 +130,7 @@ std::vector<fs::path> modelsBelow(const fs::path& folder) {
 }
 
 TEST(MalformedFiles, SoundModelIsSound) {
-    const Folder folder("sound");
+    const Folder folder;
     for (const bool binary : {false, true}) {
         const Outcome outcome =
             loadOnce(folder.write(binary ? "model.glb" : "model.gltf", soundModel().bytes(binary)));
@@ -164,7 +158,7 @@ TEST(MalformedFiles, Skies) { expectOutcomes("skies", malformedSkies()); }
 // A broken image is left out, with a warning.
 TEST(MalformedFiles, Images) {
     expectOutcomes("images", malformedImages());
-    const Folder folder("warned");
+    const Folder folder;
     for (const MalformedFile& file : malformedImages()) {
         const Outcome outcome = loadOnce(folder.write("model.glb", file.bytes));
         const bool isSound = file.name == "image/jpeg-of-100-scans" ||
@@ -176,7 +170,7 @@ TEST(MalformedFiles, Images) {
 
 // What is no bytes: a name in the model's folder that leads elsewhere.
 TEST(MalformedFiles, LinksAndPipes) {
-    const Folder folder("links");
+    const Folder folder;
     Tally tally("links");
     const auto expect = [&](const std::string& name, const std::string& code) {
         GltfBuilder file;
@@ -206,7 +200,7 @@ TEST(MalformedFiles, FacesOfSkies) {
     Tally tally("faces");
     const char* const names[]{"px", "nx", "py", "ny", "pz", "nz"};
     const auto expect = [&](const std::string& what, const std::string& code, const auto& change) {
-        const Folder folder("faces");
+        const Folder folder;
         fs::remove(folder.path() / "folder");
         for (const char* name : names)
             folder.write(std::string(name) + ".png", pictures::png(16, 16));

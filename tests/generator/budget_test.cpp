@@ -3,6 +3,7 @@
 #include "franken/generator/compose.h"
 #include "franken/generator/covering.h"
 #include "franken/generator/explain.h"
+#include "population.h"
 
 #include <gtest/gtest.h>
 
@@ -10,17 +11,9 @@
 #include <set>
 
 using namespace franken;
+using test::named;
 
 namespace {
-
-Permutation named(std::string_view name) {
-    const auto parsed = parseName(name);
-    EXPECT_TRUE(parsed) << name;
-    const auto canonical = canonicalise(*parsed);
-    EXPECT_TRUE(canonical) << name;
-    EXPECT_TRUE(canonical->dropped.empty()) << name;
-    return canonical->permutation;
-}
 
 Profile profile(std::string_view name) { return findProfile(name).value(); }
 

@@ -3,15 +3,8 @@
 #include "franken/generator/compose.h"
 #include "franken/generator/lint.h"
 #include "population.h"
+#include "support/shell.h"
 
-#include <gtest/gtest.h>
-
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <set>
 
@@ -33,22 +26,6 @@ TEST(Validate, EveryPermutationPassesTheLint) {
     std::cout << population().size() << " permutations: composed, linted\n";
 }
 
-struct Outcome {
-    int status;
-    std::string output;
-};
-
-Outcome run(const std::string& command) {
-    FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-    Outcome outcome{-1, {}};
-    std::array<char, 4096> buffer{};
-    while (pipe && std::fgets(buffer.data(), buffer.size(), pipe))
-        outcome.output += buffer.data();
-    if (pipe)
-        outcome.status = WEXITSTATUS(pclose(pipe));
-    return outcome;
-}
-
 // glslang's messages, without the names that it prints for files without a fault.
 std::string messagesIn(const std::string& output) {
     std::istringstream lines(output);
@@ -61,8 +38,6 @@ std::string messagesIn(const std::string& output) {
 
 // Writes each stage that is not there yet; files are called after their stage keys.
 std::set<std::string> writeShaders(const fs::path& folder) {
-    fs::remove_all(folder);
-    fs::create_directories(folder);
     std::set<std::string> files;
     for (const Permutation& p : population()) {
         const Composed program = compose(p);
@@ -77,17 +52,17 @@ std::set<std::string> writeShaders(const fs::path& folder) {
 }
 
 TEST(Validate, EveryPermutationPassesGlslang) {
-    if (run("glslangValidator --version").status != 0)
+    const fs::path folder = emptyTestFolder();
+    if (runIn(folder, "glslangValidator --version").code != 0)
         GTEST_SKIP() << "glslangValidator is not installed (Debian: glslang-tools)";
-    const fs::path folder = FRANKEN_BINARY_DIR "/glslang";
     const std::set<std::string> files = writeShaders(folder);
     for (auto file = files.begin(); file != files.end();) {
-        std::string command = "cd '" + folder.string() + "' && glslangValidator";
+        std::string command = "glslangValidator";
         for (std::size_t size = 0; size < kFilesPerProcess && file != files.end(); ++size, ++file)
             command += " " + *file;
-        const Outcome outcome = run(command);
-        EXPECT_EQ(outcome.status, 0);
-        EXPECT_EQ(messagesIn(outcome.output), "");
+        const Outcome outcome = runIn(folder, command);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(messagesIn(outcome.out), "");
     }
     std::cout << population().size() << " permutations (" << files.size()
               << " shaders): composed, linted, glslang\n";
@@ -95,16 +70,15 @@ TEST(Validate, EveryPermutationPassesGlslang) {
 
 // A validator that accepts everything would pass, too.
 TEST(Validate, GlslangRefusesWhatIsNoShader) {
-    if (run("glslangValidator --version").status != 0)
+    const fs::path folder = emptyTestFolder();
+    if (runIn(folder, "glslangValidator --version").code != 0)
         GTEST_SKIP() << "glslangValidator is not installed (Debian: glslang-tools)";
-    const fs::path folder = FRANKEN_BINARY_DIR "/glslang-refused";
-    fs::create_directories(folder);
     std::ofstream(folder / "good.vert") << compose({}).vertex.text;
     std::ofstream(folder / "bad.vert")
         << "#version 100\nvoid main() { gl_Position = vec4(1); int x = 1.0; }\n";
-    const Outcome outcome = run("cd '" + folder.string() + "' && glslangValidator bad.vert good.vert");
-    EXPECT_NE(outcome.status, 0);
-    EXPECT_NE(messagesIn(outcome.output), "");
+    const Outcome outcome = runIn(folder, "glslangValidator bad.vert good.vert");
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_NE(messagesIn(outcome.out), "");
 }
 
 } // namespace

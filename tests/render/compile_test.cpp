@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Programs in the thousands: each compiles and links.
+#include "franken/generator/manifest.h"
 #include "franken/gltf.h"
 #include "generator/population.h"
 #include "support/draw_scene.h"
+#include "support/shell.h"
 
-#include <fstream>
 #include <map>
 
 namespace franken::test {
@@ -35,13 +36,10 @@ TEST_P(CompileTest, ThePopulationCompilesAndLinks) {
 }
 
 TEST_P(CompileTest, TheNamedPermutationsCompileAndLink) {
-    std::ifstream manifest(FRANKEN_SOURCE_DIR "/tests/golden/named.manifest");
+    const std::string manifest = readText(FRANKEN_SOURCE_DIR "/tests/golden/named.manifest");
     std::vector<Permutation> permutations;
-    for (std::string line; std::getline(manifest, line);) {
-        const std::string name = line.substr(0, line.find_first_of(" \t#"));
-        if (!name.empty())
-            permutations.push_back(named(name));
-    }
+    for (const ManifestLine& line : manifestLines(manifest))
+        permutations.push_back(named(line.name));
     EXPECT_GE(permutations.size(), 40u);
     compileAll(gl(), permutations, "named");
 }

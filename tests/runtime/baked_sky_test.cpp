@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "franken/baked_sky.h"
+#include "support/shell.h"
 
 #include <bit>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
-#include <gtest/gtest.h>
+#include <sys/stat.h>
 
 namespace franken {
 namespace {
@@ -126,7 +126,7 @@ TEST(BakedSky, RefusesNumbersThatMeanNothing) {
 }
 
 TEST(BakedSky, LoadsFromAFileAndNamesIt) {
-    const fs::path path = fs::path(testing::TempDir()) / "baked_sky_test.sky";
+    const fs::path path = test::testFolder() / "baked.sky";
     const auto write = [&](const std::vector<std::uint8_t>& file) {
         std::ofstream(path, std::ios::binary)
             .write(reinterpret_cast<const char*>(file.data()), static_cast<std::streamsize>(file.size()));
@@ -143,6 +143,14 @@ TEST(BakedSky, LoadsFromAFileAndNamesIt) {
     const auto missing = loadSky("no/such.sky");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().code, "sky.file");
+}
+
+TEST(BakedSky, APipeIsNotWaitedFor) {
+    const fs::path pipe = test::emptyTestFolder() / "pipe.sky";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const auto sky = loadSky(pipe);
+    ASSERT_FALSE(sky);
+    EXPECT_EQ(sky.error().code, "sky.file");
 }
 
 } // namespace

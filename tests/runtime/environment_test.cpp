@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "franken/environment.h"
+#include "support/shell.h"
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <numbers>
-#include <string>
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
-#include <gtest/gtest.h>
 
 #include "sky_sampling.h"
 
@@ -89,7 +86,7 @@ glm::vec3 decode(const SkyCube& cube, std::size_t face, int x, int y) {
 }
 
 fs::path writeFile(const std::string& name, const std::string& bytes) {
-    const fs::path path = fs::path(testing::TempDir()) / name;
+    const fs::path path = test::testFolder() / name;
     fs::create_directories(path.parent_path());
     std::ofstream(path, std::ios::binary) << bytes;
     return path;
@@ -146,17 +143,17 @@ TEST(Environment, CrossesHaveTheirDirections) {
 
 TEST(Environment, FolderOfFaces) {
     const std::array<std::string, 6> names{"px", "nx", "py", "ny", "pz", "nz"};
+    const fs::path folder = test::emptyTestFolder() / "faces";
     for (std::size_t i = 0; i < 6; ++i)
         writeFile("faces/sky_" + names[i] + ".hdr", hdrOfSquares(1, std::to_string(i)));
-    const auto sky = loadEnvironment(fs::path(testing::TempDir()) / "faces");
+    const auto sky = loadEnvironment(folder);
     ASSERT_TRUE(sky) << toString(sky.error());
     expectAxes(*sky);
 
     writeFile("faces/other-px.hdr", hdrOfSquares(1, "0"));
-    const auto twice = loadEnvironment(fs::path(testing::TempDir()) / "faces");
+    const auto twice = loadEnvironment(folder);
     ASSERT_FALSE(twice);
     EXPECT_EQ(twice.error().code, "sky.shape");
-    fs::remove_all(fs::path(testing::TempDir()) / "faces");
 }
 
 TEST(Environment, RunLengthCodedRows) {

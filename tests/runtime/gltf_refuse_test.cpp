@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What is refused, with which code, and where the message points.
-#include <fstream>
 #include <functional>
 
 #include "gltf_file.h"
+#include "support/shell.h"
 
 namespace {
 
@@ -232,7 +232,7 @@ TEST(GltfRefused, MemoryIsCounted) {
 }
 
 TEST(GltfRefused, OnlyFilesInTheFolderAreRead) {
-    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "franken_confined";
+    const std::filesystem::path folder = franken::test::emptyTestFolder();
     std::filesystem::create_directories(folder / "model/a b");
     const std::vector<float> points{0, 0, 0, 1, 0, 0, 0, 1, 0};
     for (const char* name : {"outside.bin", "model/inside.bin", "model/a b/spaced.bin"})
@@ -257,20 +257,18 @@ TEST(GltfRefused, OnlyFilesInTheFolderAreRead) {
         ASSERT_FALSE(scene) << uri;
         EXPECT_EQ(scene.error().code, "gltf.buffer") << uri;
     }
-    std::filesystem::remove_all(folder);
 }
 
 TEST(GltfRefused, NoFileAndNoGltf) {
     EXPECT_EQ(franken::loadGltf("/nonexistent.gltf").error().code, "gltf.file");
     EXPECT_EQ(franken::loadGltf(std::filesystem::temp_directory_path()).error().code, "gltf.file");
-    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "franken_text.gltf";
+    const std::filesystem::path path = franken::test::testFolder() / "text.gltf";
     for (const char* text : {"", "{", "[]", "not JSON", "glTF"}) {
         std::ofstream(path) << text;
         const auto scene = franken::loadGltf(path);
         ASSERT_FALSE(scene) << text;
         EXPECT_TRUE(scene.error().code == "gltf.json" || scene.error().code == "gltf.container") << text;
     }
-    std::filesystem::remove(path);
 }
 
 // A .glb that is cut at any byte is refused, or was complete.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The manifest of a run: what is written is read back, and anything else is a clean miss.
 #include "franken/manifest.h"
-
-#include <gtest/gtest.h>
+#include "support/shell.h"
 
 #include <csignal>
-#include <fstream>
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -32,9 +30,6 @@ std::vector<ProgramUse> someUses() {
 /// A folder of its own, and what was logged.
 class ManifestTest : public testing::Test {
 protected:
-    ManifestTest() { fs::create_directories(m_folder); }
-    ~ManifestTest() override { fs::remove_all(m_folder); }
-
     fs::path file() const { return m_folder / "warm.manifest"; }
     void put(std::string_view text) const { std::ofstream(file(), std::ios::binary) << text; }
     std::size_t filesThere() const {
@@ -50,7 +45,7 @@ protected:
     std::vector<std::string> m_log;
 
 private:
-    fs::path m_folder = fs::temp_directory_path() / ("franken_manifest_" + std::to_string(::getpid()));
+    const fs::path m_folder = emptyTestFolder();
 };
 
 TEST_F(ManifestTest, WhatIsWrittenIsReadBack) {

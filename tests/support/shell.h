@@ -25,14 +25,19 @@ inline std::string readText(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// An empty folder in the build tree for the running test alone: CTest may run several at once.
-inline std::filesystem::path emptyTestFolder() {
+/// A folder in the build tree for the running test alone: CTest may run several at once.
+inline std::filesystem::path testFolder() {
     const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
     const std::filesystem::path folder = std::filesystem::path(FRANKEN_BINARY_DIR) / "Testing" / "folders" /
                                          (std::string(info.test_suite_name()) + "." + info.name());
-    std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
     return folder;
+}
+
+/// The same, without what an earlier run left in it.
+inline std::filesystem::path emptyTestFolder() {
+    std::filesystem::remove_all(testFolder());
+    return testFolder();
 }
 
 /// Runs a command of the shell there, so that a test can redirect and set variables. Leaves "out" and "err".
