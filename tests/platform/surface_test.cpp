@@ -205,6 +205,19 @@ TEST_P(SurfaceTest, TellsTheLogWhatDraws) {
     EXPECT_EQ(message, backendName({GetParam(), 0}) + ": " + surface().driver());
 }
 
+TEST(EglSurface, IsRefusedToASecondThread) {
+    const Result<Offscreen> held = openOffscreen(Backend::EglSurfaceless, {8, 8});
+    ASSERT_TRUE(held) << toString(held.error());
+    std::thread([&held] {
+        const Result<void> current = held->surface->makeCurrent();
+        ASSERT_FALSE(current);
+        EXPECT_EQ(current.error().code, "surface.driver");
+    }).join();
+    held->gl.ClearColor(0, 1, 0, 1);
+    held->gl.Clear(GL_COLOR_BUFFER_BIT);
+    EXPECT_EQ(readBack(*held).pixel(4, 4), kGreen);
+}
+
 struct Refused {
     platform::Size size;
     int depthBits, samples;

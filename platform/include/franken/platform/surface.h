@@ -11,7 +11,9 @@
 
 namespace franken::platform {
 
-/// From the full name of a GL function ("glClear") to its address, or null where there is none.
+/// From the full name of a GL function ("glClear") to its address, or null where the driver knows none. An
+/// address does not prove that the function is there (Mesa makes one up for any name): GL_VERSION and
+/// GL_EXTENSIONS tell.
 using GetProcAddress = std::function<void*(const char* name)>;
 
 struct Size {
@@ -77,7 +79,8 @@ public:
     /// Where the functions come from; good for as long as the surface lives.
     virtual GetProcAddress getProcAddress() const = 0;
 
-    /// Makes the context current in this thread. Fails with `surface.driver` where another thread holds it.
+    /// Makes the context current in this thread. Fails with `surface.driver` where the driver refuses. EGL
+    /// does where another thread holds the context; OSMesa does not notice.
     Result<void> makeCurrent();
 
     /// Ends the frame, and shows it where there is a screen. The surface must be current. The contents of the
@@ -133,7 +136,8 @@ std::string_view toString(Backend backend);
 /// The inverse of toString(). Fails with `surface.backend`; the remedy lists the choices.
 Result<Backend> parseBackend(std::string_view text);
 
-/// Makes a surface of that backend, which is current afterwards (where it fails, none may be). Fails with
+/// Makes a surface of that backend, which is current in this thread afterwards (where it fails, none may be).
+/// Any thread may call it. Fails with
 /// - `surface.options` for a size, depth or number of samples out of range,
 /// - `surface.not-installed` where the backend is not there at all: it names the Debian packages,
 /// - `surface.driver` where a driver is missing or refuses: it names the call and its error.
