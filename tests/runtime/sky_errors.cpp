@@ -21,13 +21,11 @@ struct Column {
 };
 
 bool addColumns(std::vector<Column>& columns, const std::filesystem::path& file, int orientations) {
-    auto sky = loadEnvironment(file);
+    auto sky = test::loadExposed(file);
     if (!sky) {
         std::fprintf(stderr, "%s\n", sky.error().what.c_str());
         return false;
     }
-    takeSun(*sky);
-    test::expose(*sky, 0.5f);
     const std::vector<test::SkyError> errors = test::skyErrors(*sky, orientations);
     const std::string name = file.stem().string();
     columns.push_back({name + ", N·V 1", 1, errors});

@@ -76,6 +76,15 @@ void expose(Environment& sky, float mean) {
         texel *= mean * static_cast<float>(area / light);
 }
 
+Result<Environment> loadExposed(const std::filesystem::path& file) {
+    auto sky = loadEnvironment(file);
+    if (sky) {
+        takeSun(*sky);
+        expose(*sky, 0.5f);
+    }
+    return sky;
+}
+
 Frame::Frame(const glm::vec3& normal, float angle) : z(normal) {
     const glm::vec3 other = std::abs(normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
     const glm::vec3 right = glm::normalize(glm::cross(other, normal));

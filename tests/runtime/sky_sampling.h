@@ -22,6 +22,9 @@ glm::vec3 equirectDirection(int width, int x, int y);
 /// Scales an equirectangular sky so that its mean luminance over the sphere is `mean`.
 void expose(Environment& sky, float mean);
 
+/// An equirectangular file without its sun, exposed so that a white surface is 0.5 in the mean.
+Result<Environment> loadExposed(const std::filesystem::path& file);
+
 /// A right-handed frame around z, turned about it by `angle` radians.
 struct Frame {
     Frame(const glm::vec3& normal, float angle);

@@ -16,11 +16,6 @@ namespace {
 
 constexpr float kRatio = 0.70710678f, kHeight = (1 - 0.0625f * kRatio) / (1 - kRatio);
 
-double meanDifference(const glm::vec3& a, const glm::vec3& b) {
-    const glm::vec3 d = glm::abs(codes(a) - codes(b));
-    return static_cast<double>(d.r + d.g + d.b) / 3;
-}
-
 } // namespace
 
 glm::vec4 sample(const Image& image, const glm::vec2& uv) {
@@ -59,22 +54,24 @@ glm::vec3 skyThroughLobe(const SpecularAtlas& atlas, const glm::vec3& d, float l
     return mean * mean * atlas.range;
 }
 
+glm::vec3 SkyMaterial::f0() const { return glm::mix(glm::vec3(0.04f), baseColor, metallic); }
+
 const std::vector<SkyMaterial>& skyMaterials() {
-    static const std::vector<SkyMaterial> materials = {{"coloured metal", {0.9f, 0.5f, 0.2f}, 0},
-                                                       {"white metal", glm::vec3(1), 0},
-                                                       {"grey dielectric", glm::vec3(0.04f), 0.48f},
-                                                       {"black dielectric", glm::vec3(0.04f), 0}};
+    static const std::vector<SkyMaterial> materials = {{"coloured metal", {0.9f, 0.5f, 0.2f}, 1},
+                                                       {"white metal", glm::vec3(1), 1},
+                                                       {"grey dielectric", glm::vec3(0.5f), 0},
+                                                       {"black dielectric", glm::vec3(0), 0}};
     return materials;
 }
 
 glm::vec3 reflectedByShader(const SkyMirror& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
-                            const glm::vec3& f0) {
+                            const SkyMaterial& material) {
     const float nDotV = std::max(glm::dot(n, v), 1e-4f);
     const glm::vec4 look = sample(sky.lookup, {nDotV, roughness});
     const glm::vec3 toSky = n * (2 * nDotV + specularBend(roughness)) - v;
     const glm::vec3 mirrored = glm::mix(skyThroughLobe(sky.atlas, toSky, (kSpecularLevels - 1) * look.b),
                                         skyLight(sky.atlas, n), look.a);
-    return mirrored * (f0 * look.r + look.g);
+    return mirrored * (material.f0() * look.r + look.g);
 }
 
 glm::vec3 codes(const glm::vec3& color) {
@@ -83,6 +80,11 @@ glm::vec3 codes(const glm::vec3& color) {
     for (int i = 0; i < 3; ++i)
         result[i] = 255 * (c[i] < 0.0031308f ? 12.92f * c[i] : 1.055f * std::pow(c[i], 1 / 2.4f) - 0.055f);
     return result;
+}
+
+double meanDifference(const glm::vec3& a, const glm::vec3& b) {
+    const glm::vec3 d = glm::abs(codes(a) - codes(b));
+    return static_cast<double>(d.r + d.g + d.b) / 3;
 }
 
 double goal(const SkyError& error) { return error.nDotV > 0.5f ? 3 : 6; }
@@ -101,10 +103,12 @@ std::vector<SkyError> skyErrors(const Environment& sky, int orientations) {
                 const Reflected truth = reflected(sky, frame, nDotV, roughness);
                 const glm::vec3 irradiance = skyLight(mirror.atlas, frame.z);
                 for (std::size_t m = 0; m < materials.size(); ++m) {
-                    const auto& [name, f0, scattered] = materials[m];
-                    sums[m] += meanDifference(reflectedByShader(mirror, frame.z, v, roughness, f0) +
-                                                  scattered * irradiance,
-                                              f0 * truth.byF0 + truth.besides + scattered * irradiance);
+                    const SkyMaterial& material = materials[m];
+                    const glm::vec3 scattered =
+                        0.96f * (1 - material.metallic) * material.baseColor * irradiance;
+                    sums[m] +=
+                        meanDifference(scattered + reflectedByShader(mirror, frame.z, v, roughness, material),
+                                       scattered + material.f0() * truth.byF0 + truth.besides);
                 }
             }
             for (std::size_t m = 0; m < materials.size(); ++m)

@@ -23,11 +23,13 @@ glm::vec3 skyLight(const SpecularAtlas& atlas, const glm::vec3& n);
 /// skyThroughLobe() of sky_atlas.glsl. d: any length. level: 0-8.
 glm::vec3 skyThroughLobe(const SpecularAtlas& atlas, const glm::vec3& d, float level);
 
-/// What a surface does to the sky's light.
+/// As glTF has it.
 struct SkyMaterial {
     std::string name;
-    glm::vec3 f0;    ///< The reflectance at normal incidence
-    float scattered; ///< The diffuse part's share of the irradiance
+    glm::vec3 baseColor;
+    float metallic;
+
+    glm::vec3 f0() const; ///< The reflectance at normal incidence
 };
 
 /// A coloured and a white metal, a grey dielectric, and a black one, which shows the specular part alone.
@@ -35,10 +37,13 @@ const std::vector<SkyMaterial>& skyMaterials();
 
 /// sky_specular.glsl. n, v: unit, v towards the eye.
 glm::vec3 reflectedByShader(const SkyMirror& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
-                            const glm::vec3& f0);
+                            const SkyMaterial& material);
 
 /// sRGB codes, 0-255, not rounded.
 glm::vec3 codes(const glm::vec3& color);
+
+/// The mean over the channels of how many codes two colours are apart.
+double meanDifference(const glm::vec3& a, const glm::vec3& b);
 
 struct SkyError {
     float nDotV, roughness;

@@ -70,11 +70,9 @@ protected:
         const fs::path file = kShared / "assets" / "env" / GetParam();
         if (!fs::exists(file))
             GTEST_SKIP() << file << " is not there";
-        auto loaded = loadEnvironment(file);
+        auto loaded = test::loadExposed(file);
         ASSERT_TRUE(loaded);
         sky = std::move(*loaded);
-        takeSun(sky);
-        test::expose(sky, 0.5f);
     }
 
     Environment sky; ///< Without its sun; a white surface is 0.5 in the mean.
@@ -167,7 +165,7 @@ TEST(SpecularSky, SpheresMatchTheReference) {
             if (!hit || glm::dot(hit->normal, hit->toCamera) <= 0.05f)
                 continue;
             const glm::vec3 seen = glm::round(test::codes(test::reflectedByShader(
-                sky, hit->normal, hit->toCamera, row.roughness, glm::vec3(0.9f, 0.5f, 0.2f))));
+                sky, hit->normal, hit->toCamera, row.roughness, test::skyMaterials().front())));
             for (int c = 0; c < 3; ++c)
                 sum +=
                     std::abs(seen[c] - static_cast<float>(truth.rgba[static_cast<std::size_t>(4 * i + c)]));
