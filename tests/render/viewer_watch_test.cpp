@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The viewer in the background, which watches what its picture is made of.
+#include "common/png.h"
 #include "franken/baked_sky.h"
 #include "viewer_run.h"
 
@@ -136,6 +137,39 @@ TEST_F(Watching, KeepsItsProgramsFromPictureToPicture) {
     EXPECT_FALSE(fs::exists(m_folder / "needed.txt"));
     stop();
     EXPECT_EQ(readText(m_folder / "needed.txt"), run(std::string(kUrn) + " --permutations").out);
+}
+
+/// A square of 2 x 2 that faces +Z, with its corners at the texels' centres of a picture of 2 x 2.
+void writeSquare(const fs::path& file) {
+    constexpr float kCorners[6][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}};
+    std::ofstream data(file.parent_path() / "square.bin", std::ios::binary);
+    for (const auto& [x, y] : kCorners) {
+        const float vertex[] = {x, y, 0, 0.5f + 0.25f * x, 0.5f - 0.25f * y};
+        data.write(reinterpret_cast<const char*>(vertex), sizeof(vertex));
+    }
+    std::ofstream(file)
+        << R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3",
+                       "min": [-1, -1, 0], "max": [1, 1, 0]},
+                      {"bufferView": 0, "byteOffset": 12, "componentType": 5126, "count": 6, "type": "VEC2"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 120, "byteStride": 20}],
+        "buffers": [{"uri": "square.bin", "byteLength": 120}]})";
+}
+
+TEST_F(Watching, TakesAHeightMap) {
+    writeSquare(m_model);
+    const auto writeHeights = [&](std::uint8_t left, std::uint8_t right) {
+        const Image heights{"", 2, 1, {left, left, left, 255, right, right, right, 255}};
+        EXPECT_TRUE(replacePng(m_folder / "heights.png", heights));
+    };
+    writeHeights(128, 128);
+    start("--height-map heights.png --height-scale 3");
+    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 1));
+    const Picture flat = readPicture(m_picture);
+    writeHeights(0, 255);
+    ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 2));
+    EXPECT_GT(compareLit(readPicture(m_picture), flat).shareAbove(10), 0.2);
 }
 
 /// A sky of one radiance everywhere, as `bake` would write it.

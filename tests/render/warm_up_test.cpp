@@ -75,7 +75,10 @@ TEST_P(WarmUpTest, ProgressCountsUpToTheTotal) {
     ASSERT_TRUE(kiosk.load(renderer));
     std::vector<std::size_t> seen;
     std::size_t last = 0;
+    unsigned compiledAtFirst = 0;
     ASSERT_TRUE(renderer.warmUp(target(), kiosk.uses(), [&](std::size_t done, std::size_t total) {
+        if (seen.empty())
+            compiledAtFirst = renderer.programCounters().compiles;
         seen.push_back(done);
         last = total;
     }));
@@ -83,6 +86,8 @@ TEST_P(WarmUpTest, ProgressCountsUpToTheTotal) {
     std::iota(expected.begin(), expected.end(), std::size_t{1});
     EXPECT_EQ(seen, expected);
     EXPECT_EQ(seen.size(), last);
+    EXPECT_LE(compiledAtFirst, 2u) << "it begins with the first program, not when all have been compiled";
+    EXPECT_GT(renderer.programCounters().compiles, 30u);
 }
 
 std::vector<bool> silhouetteOf(const Picture& picture) {

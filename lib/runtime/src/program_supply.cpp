@@ -198,7 +198,7 @@ WarmUpReport ProgramSupply::warmUp(std::span<const ProgramUse> uses, const DrawT
     std::size_t total = 0, done = 0;
     while (!round.empty()) {
         report.draws += round.size();
-        total += round.size();
+        total += 2 * round.size();
         round = warm(round, target, [&] {
             if (progress)
                 progress(++done, total);
@@ -214,11 +214,14 @@ WarmUpReport ProgramSupply::warmUp(std::span<const ProgramUse> uses, const DrawT
     return report;
 }
 
-// All are begun before the first is waited for. Returns the next rungs of those that failed.
+// All are begun before the first is waited for: two steps each, because some drivers compile in the one and
+// some in the other. Returns the next rungs of those that failed.
 std::vector<ProgramUse> ProgramSupply::warm(std::span<const ProgramUse> uses, const DrawTarget& target,
                                             const std::function<void()>& step) {
-    for (const ProgramUse& use : uses)
+    for (const ProgramUse& use : uses) {
         m_cache.begin(use.permutation);
+        step();
+    }
     std::vector<ProgramUse> made, below;
     std::vector<ProgramHandle> programs;
     const auto goDown = [&](const ProgramUse& use) {
