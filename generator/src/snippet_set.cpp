@@ -11,7 +11,7 @@
 namespace franken {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = 64 * 1024;
+constexpr std::size_t kMaxFileBytes = std::size_t{64} * 1024;
 
 const SnippetFile& builtInFile(const Row& row) {
     const std::span<const SnippetFile> files = embeddedSnippets();
