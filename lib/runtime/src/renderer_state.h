@@ -47,13 +47,13 @@ struct Object {
 
 /// What a renderer is made of. The member functions stand by their subject: renderer_models.cpp,
 /// renderer_programs.cpp, renderer_draw.cpp, renderer_sky.cpp, renderer_overlay.cpp, renderer_context.cpp.
-struct Renderer::State {
+struct [[gnu::visibility("hidden")]] Renderer::State {
     State(const Gl& table, const Capabilities& found, Log log_);
 
     Model* find(ModelId id);
     bool isShown(const Model& model) const;
-    Result<void> upload(Model& model, const Scene& scene);
-    Result<void> makeResident(Model& model);
+    Result<void> upload(Model & model, const Scene& scene);
+    Result<void> makeResident(Model & model);
     bool evictOne();
     Model* oldestModel();
     Picture* oldestPicture();
@@ -63,15 +63,15 @@ struct Renderer::State {
     Result<void> resolvePrograms(const DrawTarget* target);
     Result<ProgramHandle> resolve(const Result<Permutation>& permutation, const DrawState& state,
                                   const DrawTarget* target);
-    Result<void> resolveMaterial(GpuMaterial& material, const DrawTarget* target);
+    Result<void> resolveMaterial(GpuMaterial & material, const DrawTarget* target);
     Result<void> resolveSky(const DrawTarget* target);
     void sortOpaque();
 
     void updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target);
     void findVisible(const Viewpoint& viewpoint);
-    bool place(Object& object, const Frustum& frustum, const glm::dmat4& viewProjection);
+    bool place(Object & object, const Frustum& frustum, const glm::dmat4& viewProjection);
     void beginFrame(const DrawTarget& target);
-    void use(ShaderProgram& program, const BlockViews& blocks);
+    void use(ShaderProgram & program, const BlockViews& blocks);
     void drawOpaque();
     void bind(const GpuMaterial& material);
     void drawOne(const Object& object);
@@ -81,12 +81,12 @@ struct Renderer::State {
     Result<void> uploadMirror(const SkyMirror& source);
     void drawBackdrop();
 
-    Result<void> uploadPicture(Picture& picture, const Image& image);
+    Result<void> uploadPicture(Picture & picture, const Image& image);
     Picture* find(PictureId id);
-    Result<void> makeResident(Picture& picture);
+    Result<void> makeResident(Picture & picture);
     Result<void> prepareOverlay(std::span<const OverlayQuad> quads);
     void makeOverlayBuffers();
-    void beginOverlay(ShaderProgram& program, const DrawTarget& target);
+    void beginOverlay(ShaderProgram & program, const DrawTarget& target);
     void drawQuads(std::span<const OverlayQuad> quads, unsigned attributes);
 
     Device device() { return {gl, capabilities, memory, log}; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/interface.h"
 #include "franken/generator/permutation.h"
 #include "franken/result.h"
@@ -11,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What a GPU has a limited number of, and a program takes some of.
 enum class Resource : std::uint8_t {

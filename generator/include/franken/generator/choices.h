@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/permutation.h"
 
 #include <span>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// One value that a choice can take.
 struct Option {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/interface.h"
 #include "franken/generator/permutation.h"
 #include "franken/generator/snippet_set.h"
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Where a line of a program came from.
 struct LineOrigin {

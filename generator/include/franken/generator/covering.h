@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/permutation.h"
 
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A small set of canonical permutations in which every combination of three choices occurs: most faults
 /// of a program show up where one, two or three choices meet (Kuhn, Wallace and Gallo, "Software Fault

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/permutation.h"
 
 #include <string>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Why a snippet is part of a program.
 struct Reason {

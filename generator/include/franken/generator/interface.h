@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// GLSL ES types that a program's interface uses.
 enum class Type : std::uint8_t { Float, Vec2, Vec3, Vec4, Mat3, Mat4, Sampler2D, SamplerCube };

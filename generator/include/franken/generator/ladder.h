@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/permutation.h"
 
 #include <optional>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// The next rung of the ladder that a program falls down where a driver refuses it: the same thing, drawn by
 /// a simpler program. Nothing below the last rung. Takes and returns canonical permutations; the way down

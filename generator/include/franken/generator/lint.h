@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/compose.h"
 
 #include <span>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// One rule of the lint. The rules are stricter than GLSL ES 1.00 (Khronos, revision 17): they also forbid
 /// what the language allows but some driver on a Raspberry Pi class GPU refuses, or what a person who reads

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
+
 #include <cstddef>
 #include <string_view>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A line of a manifest: a program's name, and the state that it is drawn in.
 struct ManifestLine {

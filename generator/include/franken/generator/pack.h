@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/interface.h"
 #include "franken/generator/permutation.h"
 
 #include <array>
 #include <string_view>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 // What uniforms alone decide is computed here, once, instead of in every fragment. The runtime, a foreign
 // engine and a web page call the same functions and so feed a program the same numbers. All blocks are

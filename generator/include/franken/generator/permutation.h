@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/result.h"
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What a program draws.
 enum class Program : std::uint8_t {

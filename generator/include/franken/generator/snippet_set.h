@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/result.h"
 
 #include <filesystem>
 #include <memory>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// The snippets that programs are composed of. Everyone is served by those that the library was built with,
 /// but for people who write snippets: they read the folder again when a file has changed, and build nothing.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/permutation.h"
 
 #include <cstdint>
@@ -8,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A part of the space of permutations: which values each choice may have. At first, all of it.
 class Space {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
+
 #include <functional>
 #include <string_view>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 enum class LogLevel { Info, Warning, Error };
 

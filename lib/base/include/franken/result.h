@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
+
 #include <cassert>
 #include <string>
 #include <utility>
 #include <variant>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What failed, where, and what to do about it. Made for whatever a user, a file or a device can cause;
 /// what only a bug can cause is asserted instead.

@@ -7,13 +7,14 @@
 #include <span>
 #include <vector>
 
+#include "franken/api.h"
 #include "franken/environment.h"
 #include "franken/specular_sky.h"
 
 /// A sky with all that programs need of it, and the file that holds it. Filtering a sky takes seconds on a
 /// desktop and most of a minute on a Pi: `bake` (in examples/) does it once, and a Pi reads the result.
 /// Nothing here needs GL, and all of it may be called on any thread.
-namespace franken {
+namespace FRANKEN_API franken {
 
 struct BakedSky {
     SkyCoefficients coefficients{}; ///< Lighting::sky.

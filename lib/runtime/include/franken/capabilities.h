@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/gl.h"
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What a context can do beyond what every GLES2 context can. A default-constructed one is the least that
 /// OpenGL ES 2.0 promises.

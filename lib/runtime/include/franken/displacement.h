@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/image.h"
 #include "franken/result.h"
 #include "franken/scene.h"
 
 #include <span>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Heights over a surface, as a picture: R, linear and never decoded. A Pi's vertex shaders read textures
 /// slowly or not at all, so heights move the vertices once, when a model is loaded. The surface gets no finer

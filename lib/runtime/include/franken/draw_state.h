@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/material.h"
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What a driver compiles a program for, besides its text: vc4 and v3d compile again at the first draw in
 /// which one of these is new. The rest that they look at is the same in all draws of this library: textures

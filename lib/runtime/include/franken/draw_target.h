@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/pack.h"
 
 #include <array>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Where a picture goes.
 struct DrawTarget {

@@ -9,6 +9,7 @@
 
 #include <glm/vec3.hpp>
 
+#include "franken/api.h"
 #include "franken/generator/pack.h"
 #include "franken/image.h"
 #include "franken/result.h"
@@ -16,7 +17,7 @@
 /// The light that comes from far away, from all around. It is loaded and kept on the CPU in linear floats;
 /// from there come what shaders need: nine coefficients for rough and matt surfaces, and textures of 8 bits
 /// a channel, which is all that GLES2 has on a Raspberry Pi. Nothing here needs GL.
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A sky, as a picture. World space has +Y up and is right-handed; -Z is ahead and +X to the right.
 struct Environment {

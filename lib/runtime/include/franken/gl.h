@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/result.h"
 
 #include <GLES2/gl2.h>
@@ -39,7 +40,7 @@
     X(VertexAttribPointer) X(Viewport)
 // clang-format on
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// How a context hands over its functions: from the full name ("glClear") to an address, or null.
 /// The signature is that of every surface of the platform part, of SDL_GL_GetProcAddress and of a foreign

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/gl.h"
 
 #include <type_traits>
 #include <utility>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Owns one GL name and deletes it at the end. Moves, does not copy; holds no name (0) when made without one
 /// or moved from.

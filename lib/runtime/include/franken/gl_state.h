@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/gl.h"
 
 #include <array>
 #include <cstdint>
 #include <optional>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What GL's state was set to, so that nothing is set twice and nothing is asked. GLES2 has no vertex array
 /// objects and drivers check much at each call: a call that changes nothing still costs.

@@ -7,11 +7,12 @@
 #include <span>
 #include <string>
 
+#include "franken/api.h"
 #include "franken/log.h"
 #include "franken/result.h"
 #include "franken/scene.h"
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// How much of a file is believed. A file that asks for more is refused, not cut.
 struct LoadOptions {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/result.h"
 
 #include <array>
@@ -10,7 +11,7 @@
 #include <memory>
 #include <utility>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What GPU memory is used for.
 enum class MemoryUse { Textures, Meshes, Targets };

@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "franken/api.h"
 #include "franken/result.h"
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Pixels on the CPU: RGBA, 8 bits a channel, rows from top to bottom without padding. The first pixel is
 /// the one at texture coordinate (0, 0), as glTF has it and as glTexImage2D wants it. Whether the numbers

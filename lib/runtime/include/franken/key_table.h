@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/permutation.h"
 
 #include <cstdint>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Where the entry of a key stands, or none: a flat table with open addressing, at most half full. It
 /// compares whole keys; a hash only says where to begin.

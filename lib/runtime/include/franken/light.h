@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/pack.h"
 #include "franken/log.h"
 #include "franken/scene.h"
 
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What lights a picture. How many suns and lamps there are, whether one of them is a spot, the kind of
 /// ambient light and whether it is mirrored choose programs; all else are uniforms, free to change from frame

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/draw_state.h"
 
 #include <filesystem>
@@ -9,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What a run needed, kept for the warm-up of the next one. A file of text that `frankenshader dump
 /// --manifest` and the other commands read as well:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/pack.h"
 #include "franken/light.h"
 #include "franken/log.h"
@@ -10,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// The choices that hold for a whole picture, whatever its materials.
 struct Look {

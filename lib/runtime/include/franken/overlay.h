@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/draw_state.h"
 #include "franken/image.h"
 #include "franken/result.h"
@@ -8,7 +9,7 @@
 #include <functional>
 
 /// Text and pictures on top of a frame: textured rectangles. See Renderer::addPicture() and drawOverlay().
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A picture that a renderer holds for overlays; never given to another one.
 enum class PictureId : unsigned {};

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
+
 #include <cassert>
 #include <thread>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Remembers the thread that it was made in. Whatever calls GL belongs to the thread of its context: its
 /// functions check() first. What needs no GL (compose(), loadGltf(), planMaterial(), reading a manifest) runs

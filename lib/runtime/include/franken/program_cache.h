@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/permutation.h"
 #include "franken/generator/snippet_set.h"
 #include "franken/key_table.h"
@@ -12,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// What a cache has done since it was made. A run that is warm adds to `hits` alone.
 struct ProgramCounters {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/capabilities.h"
 #include "franken/draw_state.h"
 #include "franken/draw_target.h"
@@ -13,7 +14,7 @@
 #include <span>
 #include <utility>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 class ProgramProbe;
 class TextureReset;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/capabilities.h"
 #include "franken/draw_target.h"
 #include "franken/environment.h"
@@ -20,7 +21,7 @@
 #include <memory>
 #include <span>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A model that a renderer holds; never given to another one.
 enum class ModelId : unsigned {};

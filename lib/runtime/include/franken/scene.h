@@ -12,12 +12,13 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "franken/api.h"
 #include "franken/image.h"
 
 /// What a glTF file says, as plain data on the CPU: no GL, no file format, nothing left to resolve. All
 /// indices into the arrays of Scene are in range, all numbers finite. Units are glTF's: metres, radians,
 /// lux and candela; +Y up, right-handed; colours are linear.
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// The index of a thing that is absent.
 inline constexpr int kNone = -1;

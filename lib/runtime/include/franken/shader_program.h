@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/compose.h"
 #include "franken/gl_object.h"
 #include "franken/uniform_block.h"
 
 #include <vector>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A linked program, and how its uniforms are fed. Where each uniform's value lies was looked up once, after
 /// the link; feeding a program that has seen the same blocks makes no GL call.

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "franken/api.h"
 #include "franken/environment.h"
 
 /// What a rough mirror shows of a sky, made on the CPU once and read by a fragment shader in four texture
@@ -17,7 +18,7 @@
 /// Based Rendering", 2014), at a sharper level, and a share of the sky's irradiance at N, which a shader has
 /// at hand, stands for the long part. That irradiance is in the same texture: a fourth fetch costs a small
 /// GPU less than nine coefficients.
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Called now and then with the share that is done, 0 to 1, from the thread that called.
 using Progress = std::function<void(float)>;

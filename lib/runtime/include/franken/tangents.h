@@ -3,9 +3,10 @@
 
 #include <span>
 
+#include "franken/api.h"
 #include "franken/scene.h"
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// Gives every triangle its own three vertices, with the triangle's own normal, as glTF 2.0 (3.7.2.1) asks
 /// where a file has no normals. Tangents of the file are dropped, as it asks too. Other attributes are kept.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/scene.h"
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// How finely a mesh is tessellated, as light sees it: the angle by which normals turn within a triangle, in
 /// radians, such that triangles with more than it hold at most 1 % of the surface. 0 for a flat or empty

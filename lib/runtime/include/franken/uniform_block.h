@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/generator/interface.h"
 
 #include <array>
@@ -8,7 +9,7 @@
 #include <cstring>
 #include <type_traits>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// The first of `count` consecutive numbers that this process has not handed out before; never 0. Safe on any
 /// thread.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/scene.h"
 
 #include <glm/ext/matrix_double3x3.hpp>
 #include <glm/ext/matrix_double4x4.hpp>
 #include <glm/ext/vector_double3.hpp>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
 /// A camera in front of a target of a certain shape. In double precision: a matrix is rounded to float once,
 /// when it is complete.

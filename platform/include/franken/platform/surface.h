@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
 #include "franken/log.h"
 #include "franken/result.h"
 
@@ -9,7 +10,8 @@
 #include <string>
 #include <string_view>
 
-namespace franken::platform {
+namespace franken {
+namespace FRANKEN_API platform {
 
 /// From the full name of a GL function ("glClear") to its address, or null where the driver knows none. An
 /// address does not prove that the function is there (Mesa makes one up for any name): GL_VERSION and
@@ -72,8 +74,8 @@ public:
     bool srgbTarget() const { return m_srgbTarget; }
 
     /// How many samples the target has for each pixel, so that edges are smooth; 0 without multisampling.
-    /// Samples are averaged when the frame ends, as codes: not in linear light, unless the target encodes. What
-    /// glReadPixels returns is the average as well, but with llvmpipe the first sample (Mesa 22.3.6).
+    /// Samples are averaged when the frame ends, as codes: not in linear light, unless the target encodes.
+    /// What glReadPixels returns is the average as well, but with llvmpipe the first sample (Mesa 22.3.6).
     int samples() const { return m_samples; }
 
     /// Where the functions come from; good for as long as the surface lives.
@@ -147,4 +149,5 @@ Result<Backend> parseBackend(std::string_view text);
 /// when the first context of a backend is made.
 Result<std::unique_ptr<Surface>> create(Backend backend, const SurfaceOptions& options);
 
-} // namespace franken::platform
+} // namespace platform
+} // namespace franken
