@@ -50,7 +50,7 @@ Float4 packReflectance(float metallic, Brdf brdf) {
     const float dielectric = 0.04f * (1 - metallic);
     if (brdf == Brdf::Seed)
         return {(1 - metallic) * (1 - dielectric), metallic, dielectric, (1 - metallic) * metallic};
-    return {0.96f * (1 - metallic), metallic, dielectric, 0};
+    return {0.96f * (1 - metallic), metallic, dielectric, 1 - dielectric};
 }
 
 } // namespace

@@ -14,10 +14,12 @@ constexpr Stage kVertex = Stage::Vertex;
 constexpr Stage kFragment = Stage::Fragment;
 
 bool pixelLight(N n) { return n.direct && !n.vertexSuns; }
+bool manyAngles(N n) { return pixelLight(n) && !n.fewSuns; }
 bool eye(N n) { return (n.direct || n.mirror) && !n.vertexSuns && !n.fewSuns; }
 bool worldSuns(N n) { return n.vertexSuns && !n.tangentSpace; }
 bool frame(N n) { return n.normalMap && !n.tangentSpace; }
 bool packed(P p) { return p.metallicRoughness == MetallicRoughness::Packed; }
+bool packedOcclusion(P p, N n) { return n.occlusion && p.occlusion == Occlusion::Packed; }
 bool separate(P p) { return p.metallicRoughness == MetallicRoughness::Separate; }
 bool looked(P p, N n) { return n.material && p.view == View::RoughnessMetallic; }
 bool factors(P p, N n) { return (n.textured && (n.metallic || n.roughness)) || looked(p, n); }
@@ -35,6 +37,13 @@ bool uses(P p, N n) {
 bool exactLengths(N n) { return n.direct && !n.fewSuns && !n.tangentSpace; }
 bool looseLengths(P p, N n) { return p.target == Target::Vc4 && !exactLengths(n); }
 bool roots(P p, N n) { return pixelLight(n) || uses<Brdf::Gltf>(p, n); }
+// Not the seed's, whose order of products was searched with the other form.
+bool anglesByLogarithms(P p) { return p.target == Target::Vc4 && p.brdf != Brdf::Seed; }
+// Where it was found to pay (README.md, One division a light).
+bool lobeByLogarithms(P p, N n) {
+    const bool shorter = n.tangentSpace || (manyAngles(n) && n.mirror);
+    return p.target == Target::Vc4 && uses<Brdf::Gltf>(p, n) && shorter;
+}
 template<Brdf B>
 bool usesTextures(P p, N n) {
     return uses<B>(p, n) && n.textured;
@@ -124,17 +133,20 @@ constexpr std::array kRecipe = {
         &Permutation::metallicRoughnessUv},
     Row{kFragment, "occlusion", [](P p, N n) { return n.occlusion && p.occlusion == Occlusion::Texture; },
         Each::Once, &Permutation::occlusionUv},
-    Row{kFragment, "occlusion_packed",
-        [](P p, N n) { return n.occlusion && p.occlusion == Occlusion::Packed; }},
+    Row{kFragment, "occlusion_packed", [](P p, N n) { return packedOcclusion(p, n) && !n.mirror; }},
 
+    Row{kFragment, "sky_irradiance", [](P, N n) { return n.mirror; }},
     Row{kFragment, "surface", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed; }},
     Row{kFragment, "surface.seed", uses<Brdf::Seed>},
-    Row{kFragment, "gltf", uses<Brdf::Gltf>},
+    Row{kFragment, "gltf", [](P p, N n) { return uses<Brdf::Gltf>(p, n) && !lobeByLogarithms(p, n); }},
+    Row{kFragment, "gltf.vc4", lobeByLogarithms},
     Row{kFragment, "seed", uses<Brdf::Seed>},
     Row{kFragment, "fast", uses<Brdf::Fast>},
     Row{kFragment, "schlick", uses<Brdf::Schlick>},
-    Row{kFragment, "add_light", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed; }},
-    Row{kFragment, "add_light.seed", uses<Brdf::Seed>},
+    Row{kFragment, "add_light", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed && !n.mirror; }},
+    Row{kFragment, "add_light.mirror", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed && n.mirror; }},
+    Row{kFragment, "add_light.seed", [](P p, N n) { return uses<Brdf::Seed>(p, n) && !n.mirror; }},
+    Row{kFragment, "add_light.seed.mirror", [](P p, N n) { return uses<Brdf::Seed>(p, n) && n.mirror; }},
     Row{kFragment, "reflectance_uniform", [](P, N n) { return reflectance(n); }},
     Row{kFragment, "surface_factors",
         [](P p, N n) { return n.direct && !n.textured && p.brdf != Brdf::Seed; }},
@@ -148,7 +160,6 @@ constexpr std::array kRecipe = {
     Row{kFragment, "ambient_color", [](P p, N n) { return n.ambient && p.ambient == Ambient::Color; }},
     Row{kFragment, "ambient_sky", [](P, N n) { return n.skyLit && !n.mirror; }},
     Row{kFragment, "sky_atlas", [](P, N n) { return n.mirror; }},
-    Row{kFragment, "sky_irradiance", [](P, N n) { return n.mirror; }},
     Row{kFragment, "sky_reflectance.factors", [](P, N n) { return n.skyLit && !n.mirror && !n.textured; }},
     Row{kFragment, "sky_reflectance", [](P, N n) { return n.skyLit && !n.mirror && n.textured; }},
     Row{kFragment, "occlude", [](P, N n) { return n.ambient && n.occlusion && !n.mirror; }},
@@ -156,7 +167,8 @@ constexpr std::array kRecipe = {
     Row{kFragment, "eye", [](P, N n) { return eye(n); }},
     Row{kFragment, "eye.few", [](P p, N n) { return n.fewSuns && p.target != Target::Vc4; }},
     Row{kFragment, "eye.few.vc4", [](P p, N n) { return n.fewSuns && p.target == Target::Vc4; }},
-    Row{kFragment, "angles", [](P, N n) { return pixelLight(n) && !n.fewSuns; }},
+    Row{kFragment, "angles", [](P p, N n) { return manyAngles(n) && !anglesByLogarithms(p); }},
+    Row{kFragment, "angles.vc4", [](P p, N n) { return manyAngles(n) && anglesByLogarithms(p); }},
     Row{kFragment, "angles.few", [](P p, N n) { return n.fewSuns && p.target != Target::Vc4; }},
     Row{kFragment, "angles.few.vc4", [](P p, N n) { return n.fewSuns && p.target == Target::Vc4; }},
     Row{kFragment, "sun_angles", [](P, N n) { return worldSuns(n); }},
@@ -165,20 +177,25 @@ constexpr std::array kRecipe = {
     Row{kFragment, "eye_vertex", [](P, N n) { return n.mirror && n.vertexSuns; }},
     Row{kFragment, "sky_specular.factors", [](P, N n) { return n.mirror && !n.textured; }},
     Row{kFragment, "sky_specular", [](P, N n) { return n.mirror && n.textured; }},
+    // Late: while the lookup is waited for, the packed texel takes a register already.
+    Row{kFragment, "occlusion_packed", [](P p, N n) { return packedOcclusion(p, n) && n.mirror; }},
     Row{kFragment, "occlude.mirror", [](P, N n) { return n.mirror && n.occlusion; }},
     Row{kFragment, "sky_sum", [](P, N n) { return n.mirror; }},
-    Row{kFragment, "sun", [](P, N n) { return pixelLight(n) && !n.fewSuns; }, Each::Sun},
+    Row{kFragment, "sun", [](P, N n) { return manyAngles(n) && !n.mirror; }, Each::Sun},
+    Row{kFragment, "sun.mirror", [](P, N n) { return manyAngles(n) && n.mirror; }, Each::Sun},
     Row{kFragment, "sun.few", [](P p, N n) { return n.fewSuns && p.target != Target::Vc4; }, Each::Sun},
     Row{kFragment, "sun.few.vc4", [](P p, N n) { return n.fewSuns && p.target == Target::Vc4; }, Each::Sun},
-    Row{kFragment, "sun_vertex", [](P, N n) { return worldSuns(n); }, Each::Sun},
+    Row{kFragment, "sun_vertex", [](P, N n) { return worldSuns(n) && !n.mirror; }, Each::Sun},
+    Row{kFragment, "sun_vertex.mirror", [](P, N n) { return worldSuns(n) && n.mirror; }, Each::Sun},
     Row{kFragment, "sun_tangent", [](P, N n) { return n.tangentSpace; }, Each::Sun},
     Row{kFragment, "lamp_point", [](P p, N n) { return n.direct && p.lamps > 0; }},
     Row{kFragment, "lamp_cone", [](P p, N n) { return n.direct && p.lamps > 0 && p.spots; }},
     Row{kFragment, "lamp", [](P, N n) { return n.direct; }, Each::Lamp},
     Row{kFragment, "lamp_spot", [](P p, N n) { return n.direct && p.spots; }, Each::Lamp},
-    Row{kFragment, "lamp_add", [](P, N n) { return n.direct; }, Each::Lamp},
+    Row{kFragment, "lamp_add", [](P, N n) { return n.direct && !n.mirror; }, Each::Lamp},
+    Row{kFragment, "lamp_add.mirror", [](P, N n) { return n.direct && n.mirror; }, Each::Lamp},
 
-    Row{kFragment, "shade", [](P, N n) { return n.direct || n.mirror; }},
+    Row{kFragment, "shade", [](P, N n) { return n.direct && !n.mirror; }},
     Row{kFragment, "shade_ambient", [](P, N n) { return n.ambient && !n.direct && !n.mirror; }},
     Row{kFragment, "shade_unlit",
         [](P p, N n) {
@@ -208,7 +225,10 @@ constexpr std::array kRecipe = {
     Row{kFragment, "tone_neutral", mapsBy<ToneMap::Neutral>},
     Row{kFragment, "tone_map", [](P p, N n) { return p.toneMap != ToneMap::None && toneMapped(p, n); }},
     Row{kFragment, "encode_srgb", encodesBy<Output::Srgb>},
-    Row{kFragment, "encode_srgb_fast", encodesBy<Output::SrgbFast>},
+    Row{kFragment, "encode_srgb_fast",
+        [](P p, N n) { return encodesBy<Output::SrgbFast>(p, n) && p.target != Target::Vc4; }},
+    Row{kFragment, "encode_srgb_fast.vc4",
+        [](P p, N n) { return encodesBy<Output::SrgbFast>(p, n) && p.target == Target::Vc4; }},
     Row{kFragment, "encode_pow22", encodesBy<Output::Pow22>},
     Row{kFragment, "encode", [](P, N n) { return n.encode; }},
     Row{kFragment, "dither", [](P p, N) { return p.dither == Dither::Ordered; }},

@@ -120,8 +120,8 @@ TEST(BakedSky, RefusesNumbersThatMeanNothing) {
     for (const std::uint32_t size : {3u, 5u, 2048u, 2049u, 0x10000u, 0xFFFFFFFFu})
         EXPECT_EQ(errorOf(with(kFaceSize, size)), "sky.baked") << size;
     EXPECT_EQ(errorOf(with(kHasSun, 2u)), "sky.baked");
-    EXPECT_EQ(errorOf(with(kVersion, 1u)), "sky.baked");
-    EXPECT_EQ(errorOf(with(kVersion, 3u)), "sky.baked");
+    EXPECT_EQ(errorOf(with(kVersion, 2u)), "sky.baked");
+    EXPECT_EQ(errorOf(with(kVersion, 4u)), "sky.baked");
     EXPECT_EQ(errorOf(with(0, 0u)), "sky.baked");
 }
 

@@ -32,9 +32,8 @@ glm::vec4 sample(const Image& image, const glm::vec2& uv) {
 }
 
 glm::vec3 skyLight(const SpecularAtlas& atlas, const glm::vec3& n) {
-    const glm::vec2 p = glm::vec2(n.x, n.z) / (1 + std::abs(n.y)) * kSpecularScale;
-    const glm::vec4 texel =
-        sample(atlas.image, {p.x / 16 + (n.y < 0 ? 0.9375f : 0.8125f), (0.125f * p.y + 3.125f) / kHeight});
+    const glm::vec2 p = glm::vec2(n.x, n.z) * (1 - 0.5f * std::abs(n.y)) * kSpecularScale;
+    const glm::vec4 texel = sample(atlas.image, {p.x / 16 + (n.y < 0 ? 0.9375f : 0.8125f), p.y / 16 + 0.75f});
     const glm::vec3 root = glm::vec3(texel) * texel.a;
     return root * root * atlas.range;
 }

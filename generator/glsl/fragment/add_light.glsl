@@ -6,8 +6,6 @@
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
   float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += radiance * (face * surface.dielectric + rim);
+  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
+  specular += radiance * (mirror * (light.x - entering * surface.clear));
 }

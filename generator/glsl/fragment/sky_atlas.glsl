@@ -8,7 +8,7 @@ uniform float uSpecularScale; // frame: root of the largest radiance that a texe
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
 vec2 skyPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(a.y + max(a.x, a.z));
+  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
   return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
 }
 
@@ -16,10 +16,10 @@ vec2 skyPoint(vec3 d) {
 vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
-  vec2 point = skyPoint(d) * size;
-  vec4 sharp = texture2D(uSpecularSky, point + vec2(0.0, 1.0462376));
+  vec2 point = size * skyPoint(d);
+  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
   float blend = uSpecularScale * (level - whole);
-  vec4 rough = texture2D(uSpecularSky, 0.70710678 * point + vec2(0.0, 1.0462376));
-  vec3 root = rough.rgb * (blend * rough.a) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
   return root * root;
 }

@@ -6,7 +6,7 @@ Surface makeSurface(float metallic, float roughness) {
   float alpha = r * r;
   float alpha2 = alpha * alpha;
   vec2 smith = vec2(1.0 - 0.5 * alpha, 0.5 * alpha);
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, 1.0 - alpha2, smith, 0.25 * alpha2);
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, 1.0 - alpha2, smith, 0.25 * alpha2);
 }
 //! main
   Surface surface = makeSurface(metallic, roughness);

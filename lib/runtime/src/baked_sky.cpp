@@ -14,7 +14,7 @@ namespace franken {
 namespace {
 
 constexpr std::string_view kMagic = "FRANKSKY";
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;
 constexpr float kLargest = 1e12f; ///< Of any number in it: sums and products of a few stay finite.
 
 class Writer {

@@ -20,27 +20,35 @@ constexpr float kHeight = (1 - 0.0625f * kRatio) / (1 - kRatio); ///< Of all lev
 constexpr int kLookupSamples = 512;
 
 constexpr int kIrradiance = kSpecularLevels; ///< After the levels of the lobes.
+constexpr float kIrradianceRow = 0.75f;      ///< Where its middle is, of the atlas's height.
 
 struct AtlasPoint {
     int level = 0;
     glm::vec3 direction{0};
 };
 
-/// A direction within a half of the sphere, or a little beyond, that is projected from the other half's pole.
-glm::vec3 fromPole(const glm::vec2& p, bool upper) {
-    const float square = glm::dot(p, p);
-    const float y = (1 - square) / (1 + square);
-    return {2 * p.x / (1 + square), upper ? y : -y, 2 * p.y / (1 + square)};
+/// The direction d, in the upper half of the sphere or a little below, that lies at p = (d.x, d.z) (1 - d.y /
+/// 2). |p| falls from 1.1 where d.y is -0.366, to which points beyond belong, to 0 where it is 1.
+glm::vec3 irradianceDirection(const glm::vec2& p) {
+    const float radius = glm::length(p);
+    float below = -0.366f, above = 1;
+    for (int halving = 0; halving < 24; ++halving) {
+        const float y = 0.5f * (below + above);
+        (std::sqrt(1 - y * y) * (1 - 0.5f * y) > radius ? below : above) = y;
+    }
+    const float scale = 1 - 0.5f * below;
+    return glm::normalize(glm::vec3(p.x / scale, below, p.y / scale));
 }
 
-/// The irradiance: two squares of a quarter of the first level's, in the corner right of the smallest levels.
+/// The irradiance: two rectangles right of the smaller levels, an eighth of the atlas wide and high.
 std::optional<AtlasPoint> irradiancePoint(float u, float v) {
-    const float row = v * kHeight;
-    if (u < 0.75f || row < 3 || row > 3.25f)
+    if (u < 0.75f || std::abs(v - kIrradianceRow) > 0.0625f)
         return std::nullopt;
     const bool upper = u < 0.875f;
-    const glm::vec2 p(16 * (u - (upper ? 0.8125f : 0.9375f)), 8 * (row - 3.125f));
-    return AtlasPoint{kIrradiance, fromPole(p / kSpecularScale, upper)};
+    const glm::vec2 p(16 * (u - (upper ? 0.8125f : 0.9375f)), 16 * (v - kIrradianceRow));
+    glm::vec3 direction = irradianceDirection(p / kSpecularScale);
+    direction.y = upper ? direction.y : -direction.y;
+    return AtlasPoint{kIrradiance, direction};
 }
 
 /// What a point of the atlas holds; nothing beside the squares. u, v: 0 to 1.

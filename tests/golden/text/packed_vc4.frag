@@ -44,36 +44,34 @@ float inverse(float x) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float dielectric; // 0.04 (1 - metalness)
+  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
   float slope; // 1 - alpha^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V N.L. light: see lightAngles.
+// pi D V. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
   float width = light.z - light.y * surface.slope;
   float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
   float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
   float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += radiance * (face * surface.dielectric + rim);
+  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
+  specular += radiance * (mirror * (light.x - entering * surface.clear));
 }
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(float metallic, float roughness) {
   float r = max(roughness, 0.001);
-  float alpha2 = r * r * r * r;
+  float alpha2 = (r * (r * r)) * r;
   float slope = 1.0 - alpha2;
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
 // normal and toCamera times their scale are unit, as toLight is. squares: |normal|^2; 1 + |V|^2, kept off 2.

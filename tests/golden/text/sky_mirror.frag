@@ -13,7 +13,7 @@ precision mediump float;
 varying vec3 vNormal;
 varying vec3 vToCamera;
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
 uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
 uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 uniform vec2 uSpecularLobe; // material: roughness; the bend
@@ -27,10 +27,19 @@ float inverse(float x) {
   return 1.0 / x;
 }
 
+// n: unit, world space. Returns linear radiance of a white surface.
+vec3 skyLight(vec3 n) {
+  float reach = 0.0546875 - 0.02734375 * abs(n.y);
+  vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
+  vec4 texel = texture2D(uSpecularSky, point);
+  vec3 root = texel.rgb * (texel.a * uSpecularScale);
+  return root * root;
+}
+
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
 vec2 skyPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(a.y + max(a.x, a.z));
+  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
   return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
 }
 
@@ -38,20 +47,11 @@ vec2 skyPoint(vec3 d) {
 vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
-  vec2 point = skyPoint(d) * size;
-  vec4 sharp = texture2D(uSpecularSky, point + vec2(0.0, 1.0462376));
+  vec2 point = size * skyPoint(d);
+  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
   float blend = uSpecularScale * (level - whole);
-  vec4 rough = texture2D(uSpecularSky, 0.70710678 * point + vec2(0.0, 1.0462376));
-  vec3 root = rough.rgb * (blend * rough.a) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
-  return root * root;
-}
-
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
-  vec2 p = n.xz * inverse(abs(n.y) + 1.0);
-  vec2 point = vec2(p.x * 0.0546875 + (n.y < 0.0 ? 0.9375 : 0.8125), p.y * 0.03351643 + 0.9576122);
-  vec4 texel = texture2D(uSpecularSky, point);
-  vec3 root = (uSpecularScale * texel.a) * texel.rgb;
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
   return root * root;
 }
 
@@ -72,9 +72,7 @@ void main() {
   vec3 toSky = normal * (2.0 * nDotV + uSpecularLobe.y) - toCamera;
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
-  vec3 diffuse = irradiance * skyShare.x + mirrored * skyShare.y;
-  vec3 specular = mirrored * skyShare.z;
-  vec3 color = base.rgb * diffuse + specular;
+  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
   color = encodeDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -46,45 +46,53 @@ float inverse(float x) {
   return exp2(-1.00001 * log2(x));
 }
 
+// n: unit, world space. Returns linear radiance of a white surface.
+vec3 skyLight(vec3 n) {
+  float reach = 0.0546875 - 0.02734375 * abs(n.y);
+  vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
+  vec4 texel = texture2D(uSpecularSky, point);
+  vec3 root = texel.rgb * (texel.a * uSpecularScale);
+  return root * root;
+}
+
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float dielectric; // 0.04 (1 - metalness)
+  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
   float slope; // 1 - alpha^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V N.L. light: see lightAngles.
+// pi D V. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
-  float width = light.z - light.y * surface.slope;
   float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
   float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+  float width = light.z - light.y * surface.slope;
+  float h = log2(light.z);
+  return surface.gain * exp2((h + h) - log2((smithV + smithL) * (width * width)));
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
   float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += radiance * (face * surface.dielectric + rim);
+  float tinted = (surface.diffuse + mirror * surface.metal) * entering;
+  color += radiance * (base * tinted + mirror * (light.x - surface.clear * entering));
 }
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
 Surface makeSurface(float metallic, float roughness) {
   float r = max(roughness, 0.001);
-  float alpha2 = r * r * r * r;
+  float alpha2 = (r * (r * r)) * r;
   float slope = 1.0 - alpha2;
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.04 - 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
 vec2 skyPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(a.y + max(a.x, a.z));
+  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
   return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
 }
 
@@ -92,20 +100,11 @@ vec2 skyPoint(vec3 d) {
 vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
-  vec2 point = skyPoint(d) * size;
-  vec4 sharp = texture2D(uSpecularSky, point + vec2(0.0, 1.0462376));
+  vec2 point = size * skyPoint(d);
+  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
   float blend = uSpecularScale * (level - whole);
-  vec4 rough = texture2D(uSpecularSky, 0.70710678 * point + vec2(0.0, 1.0462376));
-  vec3 root = rough.rgb * (blend * rough.a) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
-  return root * root;
-}
-
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
-  vec2 p = n.xz * inverse(abs(n.y) + 1.0);
-  vec2 point = vec2(p.x * 0.0546875 + (n.y < 0.0 ? 0.9375 : 0.8125), p.y * 0.03351643 + 0.9576122);
-  vec4 texel = texture2D(uSpecularSky, point);
-  vec3 root = (uSpecularScale * texel.a) * texel.rgb;
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
   return root * root;
 }
 
@@ -113,8 +112,9 @@ vec3 skyLight(vec3 n) {
 vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
   float nDotL = max(dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  float h2 = 2.0 * dot(toCamera, toLight) + 2.000002;
-  float x = 1.0 - root(0.25 * h2);
+  float vDotL = dot(toCamera, toLight) + 1.000001;
+  float h2 = vDotL + vDotL;
+  float x = 1.0 - exp2(0.50001 * log2(h2) - 1.0);
   float x2 = x * x;
   return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
 }
@@ -134,21 +134,19 @@ void main() {
   vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
-  Surface surface = makeSurface(metallic, roughness);
   vec3 irradiance = skyLight(normal);
+  Surface surface = makeSurface(metallic, roughness);
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
-  float alpha = roughness * roughness;
   vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
-  vec3 skyShare = vec3(0.96 - metallic * 0.96, look.r * metallic, look.g + look.r * (0.04 - 0.04 * metallic));
+  vec3 skyShare = vec3(0.96 - metallic * 0.96, metallic * look.r, (0.04 - metallic * 0.04) * look.r + look.g);
+  float alpha = roughness * roughness;
   float alpha2 = alpha * alpha;
-  vec3 toSky = normal * (2.0 * nDotV + (alpha * 0.8 + (alpha2 * alpha2) * 7.0)) - toCamera;
-  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
-  vec3 diffuse = irradiance * skyShare.x + mirrored * skyShare.y;
-  vec3 specular = mirrored * skyShare.z;
+  vec3 toSky = (2.0 * nDotV + (alpha * 0.8 + (alpha2 * alpha2) * 7.0)) * normal - toCamera;
+  vec3 mirrored = mix(skyThroughLobe(toSky, look.b * 8.0), irradiance, look.a);
+  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
   vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
-  vec3 color = base.rgb * diffuse + specular;
+  addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
   color = encodeDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

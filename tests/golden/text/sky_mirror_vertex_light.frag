@@ -24,7 +24,7 @@ varying vec3 vTangent;
 varying vec3 vBitangent;
 uniform sampler2D uOcclusionTexture; // material: R, linear
 uniform vec2 uOcclusion; // material: strength, 1 - strength
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
 uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
@@ -64,37 +64,44 @@ vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
   return n * inverseRoot(dot(n, n));
 }
 
+// n: unit, world space. Returns linear radiance of a white surface.
+vec3 skyLight(vec3 n) {
+  float reach = 0.0546875 - 0.02734375 * abs(n.y);
+  vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
+  vec4 texel = texture2D(uSpecularSky, point);
+  vec3 root = texel.rgb * (texel.a * uSpecularScale);
+  return root * root;
+}
+
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float dielectric; // 0.04 (1 - metalness)
+  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
   float slope; // 1 - alpha^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V N.L. light: see lightAngles.
+// pi D V. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
   float width = light.z - light.y * surface.slope;
   float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
   float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
+void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
   float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += radiance * (face * surface.dielectric + rim);
+  float tinted = (surface.diffuse + mirror * surface.metal) * entering;
+  color += radiance * (base * tinted + mirror * (light.x - surface.clear * entering));
 }
 
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
 vec2 skyPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(a.y + max(a.x, a.z));
+  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
   return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
 }
 
@@ -102,20 +109,11 @@ vec2 skyPoint(vec3 d) {
 vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
-  vec2 point = skyPoint(d) * size;
-  vec4 sharp = texture2D(uSpecularSky, point + vec2(0.0, 1.0462376));
+  vec2 point = size * skyPoint(d);
+  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
   float blend = uSpecularScale * (level - whole);
-  vec4 rough = texture2D(uSpecularSky, 0.70710678 * point + vec2(0.0, 1.0462376));
-  vec3 root = rough.rgb * (blend * rough.a) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
-  return root * root;
-}
-
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
-  vec2 p = n.xz * inverse(abs(n.y) + 1.0);
-  vec2 point = vec2(p.x * 0.0546875 + (n.y < 0.0 ? 0.9375 : 0.8125), p.y * 0.03351643 + 0.9576122);
-  vec4 texel = texture2D(uSpecularSky, point);
-  vec3 root = (uSpecularScale * texel.a) * texel.rgb;
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
   return root * root;
 }
 
@@ -139,8 +137,8 @@ void main() {
   base *= uBaseColor;
   vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
   float occlusion = texture2D(uOcclusionTexture, vUv0).r * uOcclusion.x + uOcclusion.y;
-  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
   vec3 irradiance = skyLight(normal);
+  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
   float reach = dot(vToCamera, vToCamera) + 1.000002;
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
   vec3 toCamera = vToCamera;
@@ -149,13 +147,11 @@ void main() {
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
   skyShare *= occlusion;
-  vec3 diffuse = irradiance * skyShare.x + mirrored * skyShare.y;
-  vec3 specular = mirrored * skyShare.z;
+  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
   vec4 anglesSun0 = lightAngles(normal, nDotV, reach, uSun0Direction, vVDotL.x, vFresnel.x);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
+  addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
   vec4 anglesSun1 = lightAngles(normal, nDotV, reach, uSun1Direction, vVDotL.y, vFresnel.y);
-  addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
-  vec3 color = base.rgb * diffuse + specular;
+  addLight(uSun1Radiance, anglesSun1, nDotV, surface, base.rgb, color);
   color = encodeDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -16,7 +16,7 @@ varying vec3 vNormal;
 varying vec3 vToCamera;
 uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec4 uLamp0Position; // lights: from the eye, world space, m; 1 / range^2
 uniform vec3 uLamp0Radiance; // lights: linear intensity / pi
@@ -47,28 +47,26 @@ float inverse(float x) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float dielectric; // 0.04 (1 - metalness)
+  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
   float slope; // 1 - alpha^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V N.L. light: see lightAngles.
+// pi D V. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
   float width = light.z - light.y * surface.slope;
   float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
   float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
   float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += radiance * (face * surface.dielectric + rim);
+  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
+  specular += radiance * (mirror * (light.x - entering * surface.clear));
 }
 
 // All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
@@ -105,7 +103,7 @@ void main() {
   base.rgb = decodeSrgb(base.rgb);
   base *= uBaseColor;
   vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));
-  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
   vec3 diffuse = vec3(0.0);
   vec3 specular = vec3(0.0);
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));

@@ -20,7 +20,7 @@ uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 varying vec3 vTangent;
 varying vec3 vBitangent;
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), scattered times base
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
 varying vec3 vToCamera;
@@ -60,28 +60,26 @@ vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float dielectric; // 0.04 (1 - metalness)
+  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
   float slope; // 1 - alpha^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V N.L. light: see lightAngles.
+// pi D V. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
   float width = light.z - light.y * surface.slope;
   float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
   float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * light.x * inverse((smithV + smithL) * (width * width));
+  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
   float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  diffuse += radiance * (entering * surface.diffuse + surface.metal * face);
-  specular += radiance * (face * surface.dielectric + rim);
+  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
+  specular += radiance * (mirror * (light.x - entering * surface.clear));
 }
 
 // n: unit, world space. Returns linear radiance of a white surface.
@@ -110,7 +108,7 @@ void main() {
   base.rgb = decodeSrgb(base.rgb);
   base *= uBaseColor;
   vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
-  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.z, uLobe.x, uLobe.yz, 1.0);
+  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
   vec3 diffuse = max(skyLight(normal), 0.0);
   diffuse *= uReflectance.x;
   vec3 specular = vec3(0.0);

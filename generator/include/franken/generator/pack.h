@@ -49,7 +49,8 @@ struct MaterialBlock {
     Float4 baseColor;
     std::array<Float3, 3> baseColorCubic; ///< The fast decode's coefficients times the factor
     Float2 metallicRoughness;             ///< The factors, for textured materials.
-    Float4 reflectance;  ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base
+    Float4 reflectance;  ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
+                         ///< 0.04 (1 - m)
     Float3 lobe;         ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
     Float2 specularLobe; ///< Roughness; specularBend()
     Float2 occlusion;    ///< strength, 1 - strength

@@ -33,13 +33,13 @@ struct BakeOptions {
 
 BakedSky bakeSky(Environment sky, const BakeOptions& options);
 
-/// The file, version 2: little-endian, floats as IEEE 754 has them, nothing between the parts. The version
+/// The file, version 3: little-endian, floats as IEEE 754 has them, nothing between the parts. The version
 /// rises whenever what the textures mean does.
 ///
 /// | bytes | what |
 /// |---|---|
 /// | 8 | "FRANKSKY" |
-/// | 4 | 2, the version |
+/// | 4 | 3, the version |
 /// | 108 | the coefficients: 27 floats, RGB by RGB |
 /// | 4 | 1 where a sun follows, or 0 |
 /// | 28 | the sun: direction, colour, illuminance; zeros where there is none |

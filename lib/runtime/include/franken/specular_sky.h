@@ -36,9 +36,9 @@ inline constexpr int kMaxSpecularSize = 1024;
 /// at the point (d.x, d.z) / (max(|d.x|, |d.z|) + |d.y|), each from -1 to 1, times kSpecularScale. The
 /// squares of a level lie below those of the level before and are smaller by the factor sqrt(0.5).
 ///
-/// The irradiance over pi fills two squares of a quarter of the first one's edge, whose middles are at 13/16
-/// (upper half) and 15/16 of the width, and 3.125 first squares' edges below the top: a unit direction is at
-/// (d.x, d.z) / (1 + |d.y|), times kSpecularScale.
+/// The irradiance over pi fills two rectangles, each an eighth of the picture wide and high, whose middles
+/// are at 13/16 (upper half) and 15/16 of the width and 3/4 of the height: a unit direction is at (d.x, d.z)
+/// (1 - |d.y| / 2) from there, from -1 to 1, times kSpecularScale.
 struct SpecularAtlas {
     Image image;     ///< 2 size wide and specularHeight(size) high.
     float range = 0; ///< The largest radiance that a texel can hold.
