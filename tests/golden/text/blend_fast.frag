@@ -18,7 +18,7 @@ varying vec3 vToCamera;
 uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 uniform vec3 uBaseColorCubic[3]; // material: coefficients of c^3, c^2 and c, times the factor
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi

@@ -20,7 +20,7 @@ varying vec3 vNormal;
 varying vec3 vToCamera;
 uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uAmbient; // lights: linear radiance
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space

@@ -13,7 +13,7 @@ precision mediump float;
 varying vec3 vNormal;
 varying vec3 vToCamera;
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
 uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 uniform vec2 uSpecularLobe; // material: roughness; the bend

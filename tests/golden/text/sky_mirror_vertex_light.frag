@@ -24,7 +24,7 @@ varying vec3 vTangent;
 varying vec3 vBitangent;
 uniform sampler2D uOcclusionTexture; // material: R, linear
 uniform vec2 uOcclusion; // material: strength, 1 - strength
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
 uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure

@@ -23,7 +23,7 @@ uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform sampler2D uOcclusionTexture; // material: R, linear
 uniform vec2 uOcclusion; // material: strength, 1 - strength
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space

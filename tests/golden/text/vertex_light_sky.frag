@@ -20,7 +20,7 @@ uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 varying vec3 vTangent;
 varying vec3 vBitangent;
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), what of scattered goes with the base, or 1 - 0.04 (1 - metalness)
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
 varying vec3 vToCamera;
