@@ -55,13 +55,11 @@ Float4 packReflectance(float metallic, Brdf brdf) {
 
 } // namespace
 
-float specularBend(float roughness) {
-    const float alpha = roughness * roughness;
-    return 0.8f * alpha + 7 * alpha * alpha * alpha * alpha;
-}
+float specularBend(float roughness, float metallic) { return roughness * roughness * (metallic + 0.6f); }
 
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure) {
     const Float3 base = {factors.baseColor[0], factors.baseColor[1], factors.baseColor[2]};
+    const float bend = specularBend(factors.roughness, factors.metallic);
     const Float3 emissive = scaled(factors.emissive, exposure);
     return {.baseColor = factors.baseColor,
             .baseColorCubic = {scaled(base, kDecodeCubic[0]), scaled(base, kDecodeCubic[1]),
@@ -69,7 +67,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
             .metallicRoughness = {factors.metallic, factors.roughness},
             .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
-            .specularLobe = {factors.roughness, specularBend(factors.roughness)},
+            .specularLobe = {factors.roughness, bend, 2 - bend},
             .occlusion = {factors.occlusionStrength, 1 - factors.occlusionStrength},
             .emissive = emissive,
             .emissiveCubic = {scaled(emissive, kDecodeCubic[0]), scaled(emissive, kDecodeCubic[1]),

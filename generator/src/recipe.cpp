@@ -36,7 +36,6 @@ bool uses(P p, N n) {
 // Whether vectors are made unit that go into a highlight's width (README.md, Roots on VideoCore IV).
 bool exactLengths(N n) { return n.direct && !n.fewSuns && !n.tangentSpace; }
 bool looseLengths(P p, N n) { return p.target == Target::Vc4 && !exactLengths(n); }
-bool roots(P p, N n) { return pixelLight(n) || uses<Brdf::Gltf>(p, n); }
 // Not the seed's, whose order of products was searched with the other form.
 bool anglesByLogarithms(P p) { return p.target == Target::Vc4 && p.brdf != Brdf::Seed; }
 // Where it was found to pay (README.md, One division a light).
@@ -44,6 +43,10 @@ bool lobeByLogarithms(P p, N n) {
     const bool shorter = n.tangentSpace || (manyAngles(n) && n.mirror);
     return p.target == Target::Vc4 && uses<Brdf::Gltf>(p, n) && shorter;
 }
+bool roots(P p, N n) {
+    return n.fewSuns || (manyAngles(n) && !anglesByLogarithms(p)) || uses<Brdf::Gltf>(p, n);
+}
+bool inverses(P p, N n) { return n.mirror || (n.direct && !lobeByLogarithms(p, n)); }
 template<Brdf B>
 bool usesTextures(P p, N n) {
     return uses<B>(p, n) && n.textured;
@@ -55,6 +58,10 @@ bool mapsBy(P p, N n) {
 template<Output O>
 bool encodesBy(P p, N n) {
     return n.encode && p.output == O;
+}
+// Not the background's, which it makes dearer.
+bool encodesInExponent(P p, N n) {
+    return p.target == Target::Vc4 && n.material && encodesBy<Output::SrgbFast>(p, n);
 }
 
 constexpr std::array kRecipe = {
@@ -92,9 +99,8 @@ constexpr std::array kRecipe = {
     Row{kFragment, "root.vc4", [](P p, N n) { return roots(p, n) && p.target == Target::Vc4; }},
     Row{kFragment, "inverse_root", [](P p, N n) { return n.normal && !looseLengths(p, n); }},
     Row{kFragment, "inverse_root.vc4", [](P p, N n) { return n.normal && looseLengths(p, n); }},
-    Row{kFragment, "inverse", [](P p, N n) { return (n.direct || n.mirror) && p.target != Target::Vc4; }},
-    Row{kFragment, "inverse.vc4",
-        [](P p, N n) { return (n.direct || n.mirror) && p.target == Target::Vc4; }},
+    Row{kFragment, "inverse", [](P p, N n) { return inverses(p, n) && p.target != Target::Vc4; }},
+    Row{kFragment, "inverse.vc4", [](P p, N n) { return inverses(p, n) && p.target == Target::Vc4; }},
     Row{kFragment, "base_factor", [](P p, N n) { return n.base && !p.baseColorTexture; }},
     Row{kFragment, "base_texture", [](P p, N n) { return n.base && p.baseColorTexture; }, Each::Once,
         &Permutation::baseColorUv},
@@ -226,9 +232,8 @@ constexpr std::array kRecipe = {
     Row{kFragment, "tone_map", [](P p, N n) { return p.toneMap != ToneMap::None && toneMapped(p, n); }},
     Row{kFragment, "encode_srgb", encodesBy<Output::Srgb>},
     Row{kFragment, "encode_srgb_fast",
-        [](P p, N n) { return encodesBy<Output::SrgbFast>(p, n) && p.target != Target::Vc4; }},
-    Row{kFragment, "encode_srgb_fast.vc4",
-        [](P p, N n) { return encodesBy<Output::SrgbFast>(p, n) && p.target == Target::Vc4; }},
+        [](P p, N n) { return encodesBy<Output::SrgbFast>(p, n) && !encodesInExponent(p, n); }},
+    Row{kFragment, "encode_srgb_fast.vc4", encodesInExponent},
     Row{kFragment, "encode_pow22", encodesBy<Output::Pow22>},
     Row{kFragment, "encode", [](P, N n) { return n.encode; }},
     Row{kFragment, "dither", [](P p, N) { return p.dither == Dither::Ordered; }},

@@ -67,7 +67,8 @@ glm::vec3 reflectedByShader(const SkyMirror& sky, const glm::vec3& n, const glm:
                             const SkyMaterial& material) {
     const float nDotV = std::max(glm::dot(n, v), 1e-4f);
     const glm::vec4 look = sample(sky.lookup, {nDotV, roughness});
-    const glm::vec3 toSky = n * (2 * nDotV + specularBend(roughness)) - v;
+    const float bend = specularBend(roughness, material.metallic);
+    const glm::vec3 toSky = n * (2 * nDotV + bend * (1 - nDotV)) - v;
     const glm::vec3 mirrored = glm::mix(skyThroughLobe(sky.atlas, toSky, (kSpecularLevels - 1) * look.b),
                                         skyLight(sky.atlas, n), look.a);
     return mirrored * (material.f0() * look.r + look.g);

@@ -106,33 +106,13 @@ TEST_P(LitBySky, IrradianceMatchesBruteForce) {
     EXPECT_LE(relative, 0.02);
 }
 
-/// Misses the goal of 6 codes at N.V 0.2: one direction, level and share serve metals and dielectrics, which
-/// want different ones there (generator/README.md). The bound is what was measured on the worse sky.
-struct Miss {
-    const char* material;
-    float roughness;
-    double codes;
-};
-
-constexpr Miss kMisses[] = {{"white metal", 0.4f, 6.3},
-                            {"black dielectric", 0.4f, 7.2},
-                            {"black dielectric", 0.6f, 8.6},
-                            {"black dielectric", 0.8f, 7.0}};
-
-double bound(const test::SkyError& error) {
-    for (const Miss& miss : kMisses)
-        if (error.nDotV < 0.5f && error.material == miss.material && error.roughness == miss.roughness)
-            return miss.codes;
-    return test::goal(error);
-}
-
 TEST_P(LitBySky, SpecularMatchesBruteForce) {
     for (const test::SkyError& error : test::skyErrors(sky, 100)) {
         const std::string row = error.material + ", roughness " +
                                 std::to_string(error.roughness).substr(0, 3) + ", N.V " +
                                 std::to_string(error.nDotV).substr(0, 3);
         RecordProperty(row, std::to_string(error.codes));
-        EXPECT_LE(error.codes, bound(error)) << row;
+        EXPECT_LE(error.codes, test::goal(error)) << row;
     }
 }
 

@@ -2,8 +2,8 @@
 //! functions
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
-  float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float tinted = (surface.diffuse + mirror * surface.metal) * entering;
-  color += radiance * (base * tinted + mirror * (light.x - surface.clear * entering));
+  float entering = light.x - light.x * light.w;
+  float tinted = (surface.diffuse + surface.metal * mirror) * entering;
+  color += radiance * (mirror * (light.x - entering * surface.clear) + base * tinted);
 }

@@ -6,7 +6,7 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base
   float rim = light.w * mirror;
   float face = mirror - rim;
   float entering = light.x - light.w * light.x;
-  vec3 kept = entering * surface.tinted * base;
+  vec3 kept = entering * surface.tinted * surface.base;
   vec3 tinted = surface.diffuse * entering + face * surface.metal - kept;
   color += (base * tinted + (surface.dielectric * face + rim)) * radiance;
 }

@@ -2,4 +2,4 @@
 // tinted here, and so is each light of its own: a sum that is live while textures are waited for takes three
 // registers instead of six.
 //! main
-  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
+  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;

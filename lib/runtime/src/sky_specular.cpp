@@ -108,18 +108,19 @@ glm::vec2 reflected(float nDotV, float roughness, const std::vector<glm::vec2>& 
 
 /// The level to look at. A lobe that is seen at an angle is narrow across the plane of N and V: so the level
 /// is sharper than what the roughness alone asks for. This and the share below were fitted to brute force
-/// over two skies, for white and coloured metals and a grey dielectric.
+/// over two skies, for a white and a coloured metal and a black dielectric at once.
 float levelOf(float nDotV, float roughness) {
     const float level = 2 * std::log2(roughness) + kSpecularLevels - 1;
-    return std::max(level - 2.5f * (1 - nDotV) * (1 - roughness), 0.0f);
+    const float sharper =
+        (1 - nDotV) * (1 - roughness) * (1.08f + 1.22f * roughness + 7.6f * roughness * roughness);
+    return std::max(level - sharper, 0.0f);
 }
 
 /// The share of the light that is taken from the sky's irradiance instead: the broad part of a lobe that is
 /// seen at an angle.
 float irradianceShare(float nDotV, float roughness) {
-    const float share =
-        roughness * roughness * (1 - roughness) * (0.469f + 3.565f * roughness - 2.439f * nDotV);
-    return std::clamp(share, 0.0f, 1.0f);
+    const float share = 1.1f - 0.32f * roughness - nDotV * (2.31f - 2.91f * roughness);
+    return std::clamp(roughness * roughness * share, 0.0f, 1.0f);
 }
 
 std::uint8_t toCode(float value) {

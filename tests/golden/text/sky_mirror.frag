@@ -16,7 +16,7 @@ uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
 uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
-uniform vec2 uSpecularLobe; // material: roughness; the bend
+uniform vec3 uSpecularLobe; // material: roughness; the bend, and 2 less that
 uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 
 float inverseRoot(float x) {
@@ -69,10 +69,10 @@ void main() {
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
   vec4 look = texture2D(uSpecularLookup, vec2(nDotV, uSpecularLobe.x));
-  vec3 toSky = normal * (2.0 * nDotV + uSpecularLobe.y) - toCamera;
+  vec3 toSky = normal * (uSpecularLobe.z * nDotV + uSpecularLobe.y) - toCamera;
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
-  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
+  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
   color = encodeDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -88,10 +88,10 @@ float lobe(vec4 light, float nDotV, Surface surface) {
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
-  float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float tinted = (surface.diffuse + mirror * surface.metal) * entering;
-  color += radiance * (base * tinted + mirror * (light.x - surface.clear * entering));
+  float entering = light.x - light.x * light.w;
+  float tinted = (surface.diffuse + surface.metal * mirror) * entering;
+  color += radiance * (mirror * (light.x - entering * surface.clear) + base * tinted);
 }
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
@@ -148,15 +148,15 @@ void main() {
   Surface surface = makeSurface(metallic, roughness);
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
-  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
-  vec3 skyShare = vec3(0.96 - metallic * 0.96, metallic * look.r, (0.04 - metallic * 0.04) * look.r + look.g);
   float alpha = roughness * roughness;
-  float alpha2 = alpha * alpha;
-  vec3 toSky = (2.0 * nDotV + (alpha * 0.8 + (alpha2 * alpha2) * 7.0)) * normal - toCamera;
-  vec3 mirrored = mix(skyThroughLobe(toSky, look.b * 8.0), irradiance, look.a);
+  float bend = alpha * (0.6 + metallic);
+  vec3 toSky = mix(bend, 2.0, nDotV) * normal - toCamera;
+  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
+  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
+  vec3 skyShare = vec3(0.96 - 0.96 * metallic, metallic * look.r, look.g + look.r * (0.04 - metallic * 0.04));
   float occlusion = orm.r * uOcclusion.x + uOcclusion.y;
   skyShare *= occlusion;
-  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
+  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
   vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
   vec4 anglesSun1 = lightAngles(normal, nDotV, toCamera, uSun1Direction);

@@ -84,7 +84,7 @@ void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base
   float rim = light.w * mirror;
   float face = mirror - rim;
   float entering = light.x - light.w * light.x;
-  vec3 kept = entering * surface.tinted * base;
+  vec3 kept = entering * surface.tinted * surface.base;
   vec3 tinted = surface.diffuse * entering + face * surface.metal - kept;
   color += (base * tinted + (surface.dielectric * face + rim)) * radiance;
 }
@@ -157,13 +157,13 @@ void main() {
   Surface surface = makeSurface(base.rgb, metallic, roughness);
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
-  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
-  vec3 skyShare = vec3(0.96 - metallic * 0.96, metallic * look.r, (0.04 - metallic * 0.04) * look.r + look.g);
   float alpha = roughness * roughness;
-  float alpha2 = alpha * alpha;
-  vec3 toSky = (2.0 * nDotV + (alpha * 0.8 + (alpha2 * alpha2) * 7.0)) * normal - toCamera;
-  vec3 mirrored = mix(skyThroughLobe(toSky, look.b * 8.0), irradiance, look.a);
-  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
+  float bend = alpha * (0.6 + metallic);
+  vec3 toSky = mix(bend, 2.0, nDotV) * normal - toCamera;
+  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
+  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
+  vec3 skyShare = vec3(0.96 - 0.96 * metallic, metallic * look.r, look.g + look.r * (0.04 - metallic * 0.04));
+  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
   vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
   vec3 toLamp0 = uLamp0Position.xyz + vToCamera;

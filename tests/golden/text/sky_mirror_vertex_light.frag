@@ -31,7 +31,7 @@ uniform float uSpecularScale; // frame: root of the largest radiance that a texe
 varying vec3 vToCamera;
 varying vec4 vVDotL;
 varying vec4 vFresnel;
-uniform vec2 uSpecularLobe; // material: roughness; the bend
+uniform vec3 uSpecularLobe; // material: roughness; the bend, and 2 less that
 uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 uniform mediump vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
@@ -92,10 +92,10 @@ float lobe(vec4 light, float nDotV, Surface surface) {
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
-  float entering = light.x - light.x * light.w;
   float mirror = lobe(light, nDotV, surface);
-  float tinted = (surface.diffuse + mirror * surface.metal) * entering;
-  color += radiance * (base * tinted + mirror * (light.x - surface.clear * entering));
+  float entering = light.x - light.x * light.w;
+  float tinted = (surface.diffuse + surface.metal * mirror) * entering;
+  color += radiance * (mirror * (light.x - entering * surface.clear) + base * tinted);
 }
 
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
@@ -143,11 +143,11 @@ void main() {
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
   vec3 toCamera = vToCamera;
   vec4 look = texture2D(uSpecularLookup, vec2(nDotV, uSpecularLobe.x));
-  vec3 toSky = normal * (2.0 * nDotV + uSpecularLobe.y) - toCamera;
+  vec3 toSky = normal * (uSpecularLobe.z * nDotV + uSpecularLobe.y) - toCamera;
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
   skyShare *= occlusion;
-  vec3 color = base.rgb * (irradiance * skyShare.x) + mirrored * (skyShare.y * base.rgb + skyShare.z);
+  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
   vec4 anglesSun0 = lightAngles(normal, nDotV, reach, uSun0Direction, vVDotL.x, vFresnel.x);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
   vec4 anglesSun1 = lightAngles(normal, nDotV, reach, uSun1Direction, vVDotL.y, vFresnel.y);

@@ -29,8 +29,10 @@ inline constexpr float kMinRoughness = 0.001f;
 inline constexpr int kSpecularLevels = 9;
 
 /// How far a rough surface's mirror image of the sky is bent towards N: it lies in the direction
-/// (2 N.V + bend) N - V. Fitted to brute force (generator/README.md). roughness: 0-1.
-float specularBend(float roughness);
+/// (2 N.V + bend (1 - N.V)) N - V. A dielectric's is bent less than a metal's: at an angle it shows mostly what
+/// Fresnel's term adds, which is light off facets that face away from the eye. Fitted to brute force
+/// (generator/README.md). roughness, metallic: 0-1.
+float specularBend(float roughness, float metallic);
 
 /// A glTF material's numbers, as they stand in the file; colours linear.
 struct MaterialFactors {
@@ -52,7 +54,7 @@ struct MaterialBlock {
     Float4 reflectance;  ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
                          ///< 0.04 (1 - m)
     Float3 lobe;         ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
-    Float2 specularLobe; ///< Roughness; specularBend()
+    Float3 specularLobe; ///< Roughness; specularBend(), and 2 less that
     Float2 occlusion;    ///< strength, 1 - strength
     Float3 emissive;
     std::array<Float3, 3> emissiveCubic; ///< As baseColorCubic
