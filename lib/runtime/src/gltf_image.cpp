@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <atomic>
-#include <system_error>
-#include <thread>
 
 #include "gltf_internal.h"
+#include "helper_threads.h"
 #include "image_header.h"
 
 namespace franken::gltf {
@@ -15,17 +14,11 @@ namespace {
 void decodeAll(const std::vector<std::span<const std::uint8_t>>& encoded, int maxSize, std::size_t maxWorkers,
                std::vector<std::optional<Result<Image>>>& results) {
     std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
+    const std::function<void()> work = [&] {
         for (std::size_t i = next++; i < encoded.size(); i = next++)
             results[i] = decodeImage(encoded[i], maxSize);
     };
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-    std::vector<std::jthread> workers;
-    try {
-        for (std::size_t i = 1; i < std::min({cores, encoded.size(), maxWorkers}); ++i)
-            workers.emplace_back(work);
-    } catch (const std::system_error&) { // no more threads to be had: this one does the rest
-    }
+    const auto helpers = startHelpers(std::min(encoded.size(), maxWorkers), work);
     work();
 }
 

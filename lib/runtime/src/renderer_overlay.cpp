@@ -17,10 +17,6 @@ struct Vertex {
 
 constexpr std::size_t kQuadVertices = 4, kQuadIndices = 6;
 constexpr std::size_t kMaxQuads = GpuMesh::kMaxShortVertices / kQuadVertices;
-constexpr Texture kClamped = {.wrapS = Wrap::ClampToEdge,
-                              .wrapT = Wrap::ClampToEdge,
-                              .magFilter = Filter::Linear,
-                              .minFilter = Filter::Linear};
 
 const void* at(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr)
@@ -90,7 +86,7 @@ Result<void> Renderer::State::uploadPicture(Picture& picture, const Image& image
     if (lost)
         return noContext();
     glState.invalidate();
-    Result<GpuTexture> uploaded = uploadTexture(device(), image, kClamped, TextureContents::Color);
+    Result<GpuTexture> uploaded = uploadTexture(device(), image, kPlainSampling, TextureContents::Color);
     if (!uploaded)
         return uploaded.error();
     if (Result<void> checked = checkMemory(gl); !checked)

@@ -6,10 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 #include <glm/geometric.hpp>
 
+#include "helper_threads.h"
 #include "sky.h"
 
 namespace franken {
@@ -19,6 +19,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr int kSamples = 256;
 constexpr int kMaxCube = 512;
 constexpr int kMinCube = 8;
+constexpr std::size_t kMaxWorkers = 16;
 
 float squared(float x) { return x * x; }
 
@@ -122,12 +123,11 @@ glm::vec3 SkyFilter::radiance(const std::vector<Sample>& lobe, const glm::vec3& 
 
 void forEachRow(int count, const std::function<void(int)>& row, const Progress& progress) {
     std::atomic<int> next = 0;
-    std::vector<std::jthread> helpers;
-    for (unsigned i = 1; i < std::min(std::thread::hardware_concurrency(), 16u); ++i)
-        helpers.emplace_back([&] {
-            for (int y = next++; y < count; y = next++)
-                row(y);
-        });
+    const std::function<void()> work = [&] {
+        for (int y = next++; y < count; y = next++)
+            row(y);
+    };
+    std::vector<std::jthread> helpers = startHelpers(kMaxWorkers, work);
     for (int y = next++; y < count; y = next++) {
         row(y);
         if (progress)
