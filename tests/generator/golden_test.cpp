@@ -87,6 +87,13 @@ TEST(Golden, TextsAreTheSameToTheByte) {
     }
 }
 
+TEST(Golden, TheReadmeShowsWhatIsComposed) {
+    std::ifstream file(FRANKEN_SOURCE_DIR "/README.md", std::ios::binary);
+    const std::string readme{std::istreambuf_iterator<char>(file), {}};
+    const std::string text = compose(named("basecolor.normal+ambient+sun1")).fragment.text;
+    EXPECT_NE(readme.find("```glsl\n" + text.substr(text.find("void main()")) + "```"), std::string::npos);
+}
+
 TEST(Golden, NoFileIsLeftOver) {
     std::set<std::string> expected;
     for (const Golden& golden : goldens()) {

@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 
 #include "image_header.h"
+#include "srgb_tables.h"
 
 namespace franken {
 namespace {
@@ -127,10 +128,6 @@ glm::vec3 toRadiance(const Rgbe& texel) {
     return glm::min(glm::vec3(texel[0], texel[1], texel[2]) * scale, kMaxRadiance);
 }
 
-float decodeSrgb(float code) {
-    return code <= 0.04045f ? code / 12.92f : std::pow((code + 0.055f) / 1.055f, 2.4f);
-}
-
 } // namespace
 
 bool isHdr(std::span<const std::uint8_t> file) {
@@ -177,15 +174,12 @@ Result<FloatImage> decodeSrgbImage(std::span<const std::uint8_t> file, int maxSi
     Result<Image> image8 = decodeImage(file, maxSize);
     if (!image8)
         return std::move(image8).error();
-    std::array<float, 256> linear{};
-    for (std::size_t code = 0; code < linear.size(); ++code)
-        linear[code] = decodeSrgb(static_cast<float>(code) / 255.0f);
-
+    const SrgbTables& tables = SrgbTables::get();
     FloatImage image{image8->width, image8->height, {}};
     image.texels.reserve(image8->rgba.size() / 4);
     for (std::size_t i = 0; i < image8->rgba.size(); i += 4)
-        image.texels.emplace_back(linear[image8->rgba[i]], linear[image8->rgba[i + 1]],
-                                  linear[image8->rgba[i + 2]]);
+        image.texels.emplace_back(tables.lightOf(image8->rgba[i]), tables.lightOf(image8->rgba[i + 1]),
+                                  tables.lightOf(image8->rgba[i + 2]));
     return image;
 }
 
