@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "loading.h"
 
-#include <regex>
-
 using namespace franken;
 
 LoadOptions modelLimits(const Options& options) {
@@ -14,7 +12,8 @@ SkyLimits skyLimits(const Options& options) {
 }
 
 Error inShellWords(Error error) {
-    static const std::regex kLimit("(the )?(LoadOptions|SkyLimits)(::\\w+)?");
-    error.remedy = std::regex_replace(error.remedy, kLimit, "--memory");
+    // The library ends with the name of its own limit, which a user of the viewer does not see.
+    if (const std::size_t raise = error.remedy.find("raise "); raise != std::string::npos)
+        error.remedy.replace(raise, std::string::npos, "raise --memory");
     return error;
 }
