@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "franken/baked_sky.h"
-#include "hdr.h"
+#include "image/hdr.h"
 #include "require.h"
 
 namespace {

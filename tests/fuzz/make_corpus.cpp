@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "franken/baked_sky.h"
-#include "malformed.h"
-#include "pictures.h"
+#include "malformed/malformed.h"
+#include "malformed/pictures.h"
 
 namespace {
 

@@ -1,17 +1,16 @@
 # SPDX-License-Identifier: MIT
 # cmake --install: headers, libraries, the program with its manual, the licence, and the CMake package
-# FrankenShader with the components generator, runtime and platform. Base comes with each. Everything is found
+# FrankenShader with the components base, generator, programs, assets, renderer, runtime and platform. Everything is found
 # relative to the package's own folder, so that the prefix may be moved.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FrankenShader)
 
-function(franken_component name source_dir)
+function(franken_export name)
     install(TARGETS franken_${name} EXPORT FrankenShader-${name}
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
         INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-    install(DIRECTORY ${source_dir}/include/franken DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
     install(EXPORT FrankenShader-${name} NAMESPACE FrankenShader:: DESTINATION ${package_dir})
 endfunction()
 
@@ -22,13 +21,19 @@ function(franken_library name source_dir)
     if(BUILD_SHARED_LIBS)
         set_target_properties(franken_${name} PROPERTIES INSTALL_RPATH $ORIGIN)
     endif()
-    franken_component(${name} ${source_dir})
+    install(DIRECTORY ${source_dir}/include/franken DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+    franken_export(${name})
 endfunction()
 
-franken_component(base lib/base)
+franken_library(base lib/base)
 franken_library(generator generator)
+if(FRANKEN_PROGRAMS)
+    franken_library(programs lib/programs)
+endif()
 if(FRANKEN_RUNTIME)
-    franken_library(runtime lib/runtime)
+    franken_library(assets lib/assets)
+    franken_library(renderer lib/renderer)
+    franken_export(runtime)
 endif()
 if(FRANKEN_PLATFORM)
     franken_library(platform platform)

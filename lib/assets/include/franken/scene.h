@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include "franken/api.h"
+#include "franken/image.h"
+#include "franken/sampling.h"
+
+/// What a glTF file says, as plain data on the CPU: no GL, no file format, nothing left to resolve. All
+/// indices into the arrays of Scene are in range, all numbers finite. Units are glTF's: metres, radians,
+/// lux and candela; +Y up, right-handed; colours are linear.
+namespace FRANKEN_API franken {
+
+/// The index of a thing that is absent.
+inline constexpr int kNone = -1;
+
+/// An image and how it is sampled. Filters that the file leaves open are the best that GLES2 has.
+struct Texture {
+    int image = kNone; ///< Index into Scene::images; kNone only where no material uses the texture.
+    Wrap wrapS = Wrap::Repeat;
+    Wrap wrapT = Wrap::Repeat;
+    Filter magFilter = Filter::Linear; ///< Nearest or Linear only.
+    Filter minFilter = Filter::LinearMipmapLinear;
+};
+
+/// A material's use of a texture.
+struct TextureRef {
+    int texture = kNone; ///< Index into Scene::textures, or kNone: the material has no such texture.
+    int uvSet = 0;       ///< 0 or 1: which of the primitive's UV streams.
+
+    /// KHR_texture_transform: sampled at (transform * vec3(uv, 1)).xy, with transform = T * R * S as in the
+    /// extension's text. The identity where the extension is absent or does nothing.
+    glm::mat3 transform{1.0f};
+    bool transformed = false; ///< Whether `transform` differs from the identity.
+
+    explicit operator bool() const { return texture != kNone; }
+};
+
+enum class AlphaMode { Opaque, Mask, Blend };
+
+/// glTF's metallic-roughness material. A texture multiplies the factor of its role. A texture whose image
+/// could not be read is left out, which is what a 1x1 default of its role would give.
+struct Material {
+    std::string name;
+
+    glm::vec4 baseColor{1.0f};   ///< Linear RGBA, 0..1.
+    TextureRef baseColorTexture; ///< sRGB, alpha linear.
+
+    float metallic = 1.0f;               ///< 0 dielectric .. 1 metal.
+    float roughness = 1.0f;              ///< Perceptual, 0..1; alpha is its square.
+    TextureRef metallicRoughnessTexture; ///< Linear; G roughness, B metallic.
+
+    float normalScale = 1.0f; ///< Multiplies x and y of the decoded normal; any sign.
+    TextureRef normalTexture; ///< Linear; tangent space, +Y towards smaller v.
+
+    float occlusionStrength = 1.0f; ///< 0 none .. 1 full.
+    TextureRef occlusionTexture;    ///< Linear; R. May be the image of metallicRoughnessTexture.
+
+    glm::vec3 emissive{
+        0.0f}; ///< Linear RGB, already times KHR_materials_emissive_strength; >= 0, may be > 1.
+    TextureRef emissiveTexture; ///< sRGB.
+
+    AlphaMode alphaMode = AlphaMode::Opaque;
+    float alphaCutoff = 0.5f; ///< For AlphaMode::Mask: below it a fragment is dropped. >= 0.
+    bool doubleSided = false;
+    bool unlit = false; ///< KHR_materials_unlit: base colour only, no light.
+};
+
+/// An axis-aligned box; empty (min > max) until something is added.
+struct Box {
+    glm::vec3 min{std::numeric_limits<float>::infinity()};
+    glm::vec3 max{-std::numeric_limits<float>::infinity()};
+
+    bool empty() const { return min.x > max.x; }
+    void add(const glm::vec3& point);
+    /// Adds the eight corners of `box` as `world` places them; does nothing for an empty one.
+    void add(const Box& box, const glm::mat4& world);
+};
+
+/// One draw's worth of triangles, as one array for each attribute, in one form whatever the file had. Each
+/// array but `indices` is either empty (the attribute is absent) or as long as `positions`.
+struct Primitive {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3>
+        normals; ///< Unit length; never absent after loading (flat where the file has none).
+    std::vector<glm::vec4> tangents; ///< Unit xyz; w = +-1, and B = cross(N, T.xyz) * w. Present where the
+                                     ///< material has a normal texture and its UV stream exists.
+    std::vector<glm::vec2> uv[2];    ///< TEXCOORD_0 and TEXCOORD_1; v grows downwards.
+    std::vector<glm::vec4> colors;   ///< COLOR_0, linear RGBA; multiplies the base colour.
+
+    std::vector<std::uint32_t>
+        indices;      ///< Triangle list, counter-clockwise in front; each < positions.size().
+    int material = 0; ///< Index into Scene::materials; always valid.
+    Box bounds;       ///< Of `positions`.
+};
+
+struct Mesh {
+    std::string name;
+    std::vector<Primitive> primitives; ///< At least one.
+};
+
+/// A mesh, placed in the world.
+struct Instance {
+    std::string name; ///< The node's.
+    int mesh = 0;     ///< Index into Scene::meshes.
+    glm::mat4 world{
+        1.0f}; ///< Object to world; affine. The identity for a skinned mesh, whose pose is baked in.
+    bool mirrored = false; ///< The determinant is negative: front faces wind clockwise.
+};
+
+/// Looks along -Z of `world`, with +Y up; the view matrix is the inverse of `world`.
+struct Camera {
+    enum class Projection { Perspective, Orthographic };
+
+    std::string name;
+    Projection projection = Projection::Perspective;
+    float yfov = 0.8f;        ///< Perspective: the full vertical angle, radians, > 0.
+    float aspectRatio = 0.0f; ///< Perspective: width / height; 0: that of the viewport.
+    float xmag = 1.0f;        ///< Orthographic: half the width of the view, metres.
+    float ymag = 1.0f;        ///< Orthographic: half the height of the view, metres.
+    float znear = 0.1f;       ///< Metres; > 0 for a perspective camera, >= 0 for an orthographic one.
+    float zfar = 0.0f;        ///< Metres, > znear; 0 for a perspective camera: infinite.
+    glm::mat4 world{1.0f};
+};
+
+/// KHR_lights_punctual, placed in the world.
+struct Light {
+    enum class Kind { Directional, Point, Spot };
+
+    std::string name;
+    Kind kind = Kind::Directional;
+    glm::vec3 color{1.0f};            ///< Linear RGB, 0..1.
+    float intensity = 1.0f;           ///< Lux (directional) or candela (point, spot); >= 0.
+    float range = 0.0f;               ///< Metres, where the light has faded to nothing; 0: infinite.
+    float innerConeAngle = 0.0f;      ///< Spot: radians from the axis, 0 <= inner < outer.
+    float outerConeAngle = 0.785398f; ///< Spot: radians from the axis, <= pi/2.
+    glm::vec3 position{0.0f};         ///< World; point and spot.
+    glm::vec3 direction{0.0f, 0.0f,
+                        -1.0f}; ///< World, unit length, where the light travels; directional and spot.
+};
+
+/// Everything that one file draws.
+struct Scene {
+    std::vector<Image> images; ///< One white pixel for each that no material uses.
+    std::vector<Texture> textures;
+    std::vector<Material>
+        materials;            ///< At least one where there is a mesh: primitives without get a default.
+    std::vector<Mesh> meshes; ///< Only those that are drawn. A skin or a morph has a mesh of its own.
+    std::vector<Instance> instances; ///< In the order of the node tree.
+    std::vector<Camera> cameras;     ///< Likewise.
+    std::vector<Light> lights;       ///< Likewise.
+
+    /// Of all instances, in the world; empty where nothing is drawn.
+    Box bounds() const;
+};
+
+} // namespace franken

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+#include <cmath>
+
+#include <glm/common.hpp>
+
+#include "gltf/internal.h"
+
+namespace franken::gltf {
+namespace {
+
+std::array<TextureRef*, 5> textureRefs(Material& material) {
+    return {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+            &material.occlusionTexture, &material.emissiveTexture};
+}
+
+glm::vec2 pairOr(const tinygltf::Value& object, const std::string& key, glm::vec2 otherwise) {
+    const tinygltf::Value& value = object.Get(key);
+    if (value.ArrayLen() != 2 || !value.Get(0).IsNumber() || !value.Get(1).IsNumber())
+        return otherwise;
+    return {static_cast<float>(value.Get(0).GetNumberAsDouble()),
+            static_cast<float>(value.Get(1).GetNumberAsDouble())};
+}
+
+// KHR_texture_transform: T * R * S. Which way R turns was read from the extension's first example (the lower
+// left quadrant, turned by 90 degrees clockwise): (u, v) goes to (c u + s v, -s u + c v).
+glm::mat3 uvTransform(const tinygltf::Value& extension) {
+    const glm::vec2 offset = pairOr(extension, "offset", glm::vec2(0.0f));
+    const glm::vec2 scale = pairOr(extension, "scale", glm::vec2(1.0f));
+    const double angle = extension.Get("rotation").GetNumberAsDouble();
+    const float c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
+    return {c * scale.x, -s * scale.x, 0.0f, s * scale.y, c * scale.y, 0.0f, offset.x, offset.y, 1.0f};
+}
+
+// Info is one of tinygltf's three kinds of textureInfo, which have no common base.
+template<typename Info>
+bool readRef(Source& source, const Info& info, const std::string& where, TextureRef& ref) {
+    ref.texture = info.index;
+    ref.uvSet = info.texCoord;
+    const auto found = info.extensions.find("KHR_texture_transform");
+    if (found != info.extensions.end() && found->second.IsObject()) {
+        ref.transform = uvTransform(found->second);
+        ref.transformed = ref.transform != glm::mat3(1.0f);
+        if (found->second.Get("texCoord").IsInt())
+            ref.uvSet = found->second.Get("texCoord").GetNumberAsInt();
+    }
+    for (int column = 0; column < 3; ++column)
+        for (int row = 0; row < 3; ++row)
+            if (!std::isfinite(ref.transform[column][row]))
+                return source.fail("gltf.value", where + "/extensions/KHR_texture_transform",
+                                   "a number is not finite");
+    if (ref && (ref.uvSet < 0 || ref.uvSet > 1)) {
+        source.warn(where,
+                    "TEXCOORD_" + std::to_string(ref.uvSet) + " is not supported, only 0 and 1: left out");
+        ref = {};
+    }
+    return true;
+}
+
+float unit(Source& source, double value, const std::string& where) {
+    if (value < 0.0 || value > 1.0)
+        source.warn(where, "a factor is outside 0..1: clamped");
+    return glm::clamp(static_cast<float>(value), 0.0f, 1.0f);
+}
+
+float emissiveStrength(const tinygltf::Material& material) {
+    const auto found = material.extensions.find("KHR_materials_emissive_strength");
+    if (found == material.extensions.end() || !found->second.IsObject())
+        return 1.0f;
+    const tinygltf::Value& strength = found->second.Get("emissiveStrength");
+    return strength.IsNumber() ? static_cast<float>(strength.GetNumberAsDouble()) : 1.0f;
+}
+
+bool readFactors(Source& source, const tinygltf::Material& from, const std::string& where,
+                 Material& material) {
+    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    for (int i = 0; i < 4; ++i)
+        material.baseColor[i] =
+            unit(source, pbr.baseColorFactor[at(i)], where + "/pbrMetallicRoughness/baseColorFactor");
+    material.metallic = unit(source, pbr.metallicFactor, where + "/pbrMetallicRoughness/metallicFactor");
+    material.roughness = unit(source, pbr.roughnessFactor, where + "/pbrMetallicRoughness/roughnessFactor");
+    material.normalScale = static_cast<float>(from.normalTexture.scale);
+    material.occlusionStrength =
+        unit(source, from.occlusionTexture.strength, where + "/occlusionTexture/strength");
+    for (int i = 0; i < 3; ++i)
+        material.emissive[i] = unit(source, from.emissiveFactor[at(i)], where + "/emissiveFactor");
+    const float strength = emissiveStrength(from);
+    if (!std::isfinite(strength) || strength < 0.0f)
+        return source.fail("gltf.value", where + "/extensions/KHR_materials_emissive_strength",
+                           "the strength is negative or not finite");
+    material.emissive *= strength;
+    material.alphaCutoff = std::fmax(static_cast<float>(from.alphaCutoff), 0.0f);
+    return true;
+}
+
+bool readMaterial(Source& source, const tinygltf::Material& from, const std::string& where,
+                  Material& material) {
+    material.name = from.name;
+    material.doubleSided = from.doubleSided;
+    material.unlit = from.extensions.contains("KHR_materials_unlit");
+    if (from.alphaMode == "MASK")
+        material.alphaMode = AlphaMode::Mask;
+    else if (from.alphaMode == "BLEND")
+        material.alphaMode = AlphaMode::Blend;
+    else if (from.alphaMode != "OPAQUE")
+        return source.fail("gltf.value", where + "/alphaMode", "there is no alpha mode " + from.alphaMode);
+    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    const std::string pbrPath = where + "/pbrMetallicRoughness";
+    return readFactors(source, from, where, material) &&
+           readRef(source, pbr.baseColorTexture, pbrPath + "/baseColorTexture", material.baseColorTexture) &&
+           readRef(source, pbr.metallicRoughnessTexture, pbrPath + "/metallicRoughnessTexture",
+                   material.metallicRoughnessTexture) &&
+           readRef(source, from.normalTexture, where + "/normalTexture", material.normalTexture) &&
+           readRef(source, from.occlusionTexture, where + "/occlusionTexture", material.occlusionTexture) &&
+           readRef(source, from.emissiveTexture, where + "/emissiveTexture", material.emissiveTexture);
+}
+
+bool readWrap(Source& source, int value, const std::string& where, Wrap& wrap) {
+    switch (value) {
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+        wrap = Wrap::Repeat;
+        return true;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+        wrap = Wrap::ClampToEdge;
+        return true;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+        wrap = Wrap::MirroredRepeat;
+        return true;
+    default:
+        return source.fail("gltf.value", where, "there is no wrap mode " + std::to_string(value));
+    }
+}
+
+bool readFilter(Source& source, int value, bool isMag, const std::string& where, Filter& filter) {
+    const int last = isMag ? TINYGLTF_TEXTURE_FILTER_LINEAR : TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
+    switch (value <= last ? value : 0) {
+    case kNone:
+        return true; // the default stays
+    case TINYGLTF_TEXTURE_FILTER_NEAREST:
+        filter = Filter::Nearest;
+        return true;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR:
+        filter = Filter::Linear;
+        return true;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST:
+        filter = Filter::NearestMipmapNearest;
+        return true;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST:
+        filter = Filter::LinearMipmapNearest;
+        return true;
+    case TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR:
+        filter = Filter::NearestMipmapLinear;
+        return true;
+    case TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR:
+        filter = Filter::LinearMipmapLinear;
+        return true;
+    default:
+        return source.fail("gltf.value", where, "there is no such filter: " + std::to_string(value));
+    }
+}
+
+bool readTexture(Source& source, std::size_t index, Texture& texture) {
+    const tinygltf::Texture& from = source.model.textures[index];
+    texture.image = from.source;
+    if (from.sampler == kNone)
+        return true;
+    const tinygltf::Sampler& sampler = source.model.samplers[at(from.sampler)];
+    const std::string where = pathOf("samplers", from.sampler);
+    return readWrap(source, sampler.wrapS, where + "/wrapS", texture.wrapS) &&
+           readWrap(source, sampler.wrapT, where + "/wrapT", texture.wrapT) &&
+           readFilter(source, sampler.magFilter, true, where + "/magFilter", texture.magFilter) &&
+           readFilter(source, sampler.minFilter, false, where + "/minFilter", texture.minFilter);
+}
+
+// Decodes what the materials use, and drops their uses of what cannot be had.
+bool resolveImages(Source& source, Scene& scene) {
+    std::vector<bool> used(source.images.size(), false), broken;
+    const auto imageOf = [&scene](const TextureRef& ref) { return scene.textures[at(ref.texture)].image; };
+    for (Material& material : scene.materials)
+        for (const TextureRef* ref : textureRefs(material))
+            if (*ref && imageOf(*ref) != kNone)
+                used[at(imageOf(*ref))] = true;
+    if (!readImages(source, used, broken, scene.images))
+        return false;
+    for (Material& material : scene.materials)
+        for (TextureRef* ref : textureRefs(material)) {
+            if (*ref && imageOf(*ref) == kNone)
+                source.warn(pathOf("textures", ref->texture),
+                            "the texture has no PNG or JPEG image: left out");
+            if (*ref && (imageOf(*ref) == kNone || broken[at(imageOf(*ref))]))
+                *ref = {};
+        }
+    return true;
+}
+
+} // namespace
+
+bool readMaterials(Source& source, Scene& scene) {
+    scene.textures.resize(source.model.textures.size());
+    for (std::size_t i = 0; i < scene.textures.size(); ++i)
+        if (!readTexture(source, i, scene.textures[i]))
+            return false;
+    scene.materials.resize(source.model.materials.size());
+    for (std::size_t i = 0; i < scene.materials.size(); ++i)
+        if (!readMaterial(source, source.model.materials[i], pathOf("materials", i), scene.materials[i]))
+            return false;
+    return resolveImages(source, scene);
+}
+
+} // namespace franken::gltf

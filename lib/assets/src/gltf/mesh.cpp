@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <numeric>
+
+#include <glm/geometric.hpp>
+
+#include "franken/tangents.h"
+#include "gltf/internal.h"
+
+namespace franken::gltf {
+namespace {
+
+int find(const tinygltf::Primitive& primitive, const std::string& name) {
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? kNone : found->second;
+}
+
+template<typename Vector>
+bool readOptional(Source& source, int accessor, std::vector<Vector>& out) {
+    return accessor == kNone || readVectors(source, accessor, out);
+}
+
+bool readColors(Source& source, int accessor, std::vector<glm::vec4>& colors) {
+    if (accessor == kNone || source.model.accessors[at(accessor)].type == TINYGLTF_TYPE_VEC4)
+        return readOptional(source, accessor, colors);
+    std::vector<glm::vec3> opaque;
+    if (!readVectors(source, accessor, opaque))
+        return false;
+    colors.reserve(opaque.size());
+    for (const glm::vec3& color : opaque)
+        colors.emplace_back(color, 1.0f);
+    return true;
+}
+
+bool readAttributes(Source& source, const tinygltf::Primitive& from, Primitive& primitive) {
+    return readVectors(source, find(from, "POSITION"), primitive.positions) &&
+           readOptional(source, find(from, "NORMAL"), primitive.normals) &&
+           readOptional(source, find(from, "TANGENT"), primitive.tangents) &&
+           readOptional(source, find(from, "TEXCOORD_0"), primitive.uv[0]) &&
+           readOptional(source, find(from, "TEXCOORD_1"), primitive.uv[1]) &&
+           readColors(source, find(from, "COLOR_0"), primitive.colors);
+}
+
+// glTF 2.0, 3.7.2.1: the vertices of triangle i in a list, a strip and a fan. What is left over is ignored.
+std::vector<std::uint32_t> triangles(const std::vector<std::uint32_t>& vertices, int mode) {
+    std::vector<std::uint32_t> list;
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+        list.assign(vertices.begin(), vertices.end() - static_cast<std::ptrdiff_t>(vertices.size() % 3));
+        return list;
+    }
+    for (std::size_t i = 0; i + 2 < vertices.size(); ++i)
+        if (mode == TINYGLTF_MODE_TRIANGLE_STRIP)
+            list.insert(list.end(), {vertices[i], vertices[i + 1 + i % 2], vertices[i + 2 - i % 2]});
+        else
+            list.insert(list.end(), {vertices[i + 1], vertices[i + 2], vertices[0]});
+    return list;
+}
+
+bool readTriangles(Source& source, const tinygltf::Primitive& from, const std::string& where,
+                   Primitive& primitive) {
+    const std::size_t count = primitive.positions.size();
+    std::vector<std::uint32_t> vertices(count);
+    std::iota(vertices.begin(), vertices.end(), 0u);
+    if (from.indices != kNone && !readIndices(source, from.indices, vertices))
+        return false;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        if (vertices[i] >= count)
+            return source.fail("gltf.vertex-range", where + "/indices",
+                               "index " + std::to_string(i) + " is " + std::to_string(vertices[i]) +
+                                   ", but there are only " + std::to_string(count) + " vertices");
+    primitive.indices = triangles(vertices, from.mode);
+    return true;
+}
+
+glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise) {
+    const float length = glm::length(vector);
+    return length > 0.0f ? vector / length : otherwise;
+}
+
+void normalize(Primitive& primitive) {
+    for (glm::vec3& normal : primitive.normals)
+        normal = unitOr(normal, {0.0f, 0.0f, 1.0f});
+    for (glm::vec4& tangent : primitive.tangents)
+        tangent = {unitOr(glm::vec3(tangent), {1.0f, 0.0f, 0.0f}), tangent.w < 0.0f ? -1.0f : 1.0f};
+}
+
+void completeTangents(Source& source, const Material& material, const std::string& where,
+                      Primitive& primitive) {
+    if (!material.normalTexture || !primitive.tangents.empty())
+        return;
+    const std::vector<glm::vec2> uv = sampledUv(primitive, material.normalTexture);
+    if (uv.empty())
+        return source.warn(where, "the material has a normal texture, but its UV stream is missing");
+    computeTangents(primitive, uv);
+}
+
+int materialOf(const tinygltf::Primitive& from, Scene& scene, std::size_t fileMaterials) {
+    if (from.material != kNone)
+        return from.material;
+    if (scene.materials.size() == fileMaterials)
+        scene.materials.emplace_back();
+    return static_cast<int>(fileMaterials);
+}
+
+// A buffer without URI, and not the binary chunk: glTF 2.0, 3.6.1.1, leaves its bytes to others.
+bool lacksData(const Source& source, const tinygltf::Primitive& from) {
+    const auto lacks = [&source](int accessor) {
+        const int view = source.model.accessors[at(accessor)].bufferView;
+        if (view == kNone)
+            return false;
+        const Buffer& buffer = source.buffers[at(source.model.bufferViews[at(view)].buffer)];
+        return buffer.bytes.empty() && !buffer.hasUri && source.binaryChunk.empty();
+    };
+    return std::any_of(from.attributes.begin(), from.attributes.end(),
+                       [&](const auto& attribute) { return lacks(attribute.second); }) ||
+           (from.indices != kNone && lacks(from.indices));
+}
+
+bool isDrawable(Source& source, const tinygltf::Primitive& from, const std::string& where) {
+    if (from.mode < TINYGLTF_MODE_TRIANGLES)
+        source.warnOnce("points and lines are not drawn");
+    else if (find(from, "POSITION") == kNone)
+        source.warn(where, "a primitive without positions is not drawn");
+    else if (lacksData(source, from))
+        source.warn(where, "a primitive whose buffer has neither URI nor data is not drawn");
+    else
+        return true;
+    return false;
+}
+
+// A small file can ask for the same accessors again and again, or for accessors that have no bytes.
+bool chargePrimitive(Source& source, const tinygltf::Primitive& from, const std::string& where) {
+    constexpr std::size_t kVertexBytes = 72;   // all attributes of a Primitive
+    constexpr std::size_t kTangentBytes = 192; // computeTangents(), where it has to split every corner
+    const std::size_t vertices = source.model.accessors[at(find(from, "POSITION"))].count;
+    const std::size_t read =
+        from.indices == kNone ? vertices : source.model.accessors[at(from.indices)].count;
+    const std::size_t corners = from.mode == TINYGLTF_MODE_TRIANGLES ? read : 3 * read;
+    const bool flat = find(from, "NORMAL") == kNone;
+    const bool tangents = (flat || find(from, "TANGENT") == kNone) && from.material != kNone &&
+                          source.model.materials[at(from.material)].normalTexture.index != kNone;
+    return source.charge(vertices, kVertexBytes, where) && source.charge(read, 4, where) &&
+           source.charge(corners, 4 + (flat ? kVertexBytes : 0) + (tangents ? kTangentBytes : 0), where);
+}
+
+bool readPrimitive(Source& source, const tinygltf::Primitive& from, const std::string& where,
+                   const Pose& pose, Scene& scene, Primitive& primitive) {
+    if (!chargePrimitive(source, from, where) || !readAttributes(source, from, primitive) ||
+        !readTriangles(source, from, where, primitive))
+        return false;
+    if (!applyMorph(source, from, where, pose.weights, primitive) ||
+        (!pose.joints.empty() && !applySkin(source, from, where, pose.joints, primitive)))
+        return false;
+    primitive.material = materialOf(from, scene, source.model.materials.size());
+    if (primitive.normals.empty())
+        computeFlatNormals(primitive);
+    normalize(primitive);
+    completeTangents(source, scene.materials[at(primitive.material)], where, primitive);
+    for (const glm::vec3& position : primitive.positions)
+        primitive.bounds.add(position);
+    return true;
+}
+
+} // namespace
+
+bool readMesh(Source& source, int index, const Pose& pose, Scene& scene, Mesh& mesh) {
+    const tinygltf::Mesh& from = source.model.meshes[at(index)];
+    mesh.name = from.name;
+    for (std::size_t p = 0; p < from.primitives.size(); ++p) {
+        const std::string where = pathOf("meshes", index, "primitives", p);
+        if (!isDrawable(source, from.primitives[p], where))
+            continue;
+        Primitive primitive;
+        if (!readPrimitive(source, from.primitives[p], where, pose, scene, primitive))
+            return false;
+        if (!primitive.indices.empty())
+            mesh.primitives.push_back(std::move(primitive));
+    }
+    return true;
+}
+
+} // namespace franken::gltf

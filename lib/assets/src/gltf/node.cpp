@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+
+#include "gltf/internal.h"
+
+namespace franken::gltf {
+namespace {
+
+glm::dmat4 localMatrix(const tinygltf::Node& node) {
+    if (!node.matrix.empty())
+        return glm::make_mat4(node.matrix.data());
+    glm::dmat4 matrix(1.0);
+    if (!node.rotation.empty()) {
+        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+        const double length = glm::length(rotation);
+        if (length > 0.0)
+            matrix = glm::mat4_cast(rotation / length);
+    }
+    for (int i = 0; i < 3 && !node.scale.empty(); ++i)
+        matrix[i] *= node.scale[at(i)];
+    for (int i = 0; i < 3 && !node.translation.empty(); ++i)
+        matrix[3][i] = node.translation[at(i)];
+    return matrix;
+}
+
+// The nodes below `roots`, each after its parent, first children first, and each once, for there are
+// exporters that list a child among the scene's nodes.
+std::vector<int> depthFirst(const tinygltf::Model& model, const std::vector<int>& roots) {
+    std::vector<int> order, stack(roots.rbegin(), roots.rend());
+    std::vector<bool> seen(model.nodes.size(), false);
+    while (!stack.empty()) {
+        const int node = stack.back();
+        stack.pop_back();
+        if (seen[at(node)])
+            continue;
+        seen[at(node)] = true;
+        order.push_back(node);
+        const std::vector<int>& children = model.nodes[at(node)].children;
+        stack.insert(stack.end(), children.rbegin(), children.rend());
+    }
+    return order;
+}
+
+std::vector<int> allRoots(const tinygltf::Model& model) {
+    std::vector<bool> isChild(model.nodes.size(), false);
+    for (const tinygltf::Node& node : model.nodes)
+        for (const int child : node.children)
+            isChild[at(child)] = true;
+    std::vector<int> roots;
+    for (std::size_t i = 0; i < isChild.size(); ++i)
+        if (!isChild[i])
+            roots.push_back(static_cast<int>(i));
+    return roots;
+}
+
+bool isFinite(const glm::mat4& matrix) {
+    for (int column = 0; column < 4; ++column)
+        for (int row = 0; row < 4; ++row)
+            if (!std::isfinite(matrix[column][row]))
+                return false;
+    return true;
+}
+
+// Of all nodes, those outside the scene too, because a skin's joints may be there.
+bool worldMatrices(Source& source, std::vector<glm::mat4>& worlds) {
+    const tinygltf::Model& model = source.model;
+    std::vector<glm::dmat4> exact(model.nodes.size());
+    for (std::size_t i = 0; i < exact.size(); ++i)
+        exact[i] = localMatrix(model.nodes[i]);
+    worlds.resize(exact.size());
+    for (const int node : depthFirst(model, allRoots(model))) {
+        for (const int child : model.nodes[at(node)].children)
+            exact[at(child)] = exact[at(node)] * exact[at(child)];
+        worlds[at(node)] = glm::mat4(exact[at(node)]);
+        if (!isFinite(worlds[at(node)]))
+            return source.fail("gltf.value", pathOf("nodes", node),
+                               "the node's place in the world is not finite");
+    }
+    return true;
+}
+
+/// Walks the nodes of the scene and adds what hangs on them.
+class Walker {
+public:
+    Walker(Source& source, Scene& scene) : m_source(source), m_scene(scene) {}
+
+    bool walk() {
+        const tinygltf::Model& model = m_source.model;
+        if (!worldMatrices(m_source, m_worlds))
+            return false;
+        const std::vector<int> roots =
+            model.scenes.empty() ? allRoots(model) : model.scenes[at(std::max(model.defaultScene, 0))].nodes;
+        for (const int node : depthFirst(model, roots))
+            if (!addMesh(node) || !addCamera(node) || !addLight(node))
+                return false;
+        return true;
+    }
+
+private:
+    bool readJointMatrices(int skin, std::vector<glm::mat4>& joints);
+    bool findOrReadMesh(int fileMesh, const Pose& pose, int& mesh);
+    bool addMesh(int node);
+    bool addCamera(int node);
+    bool addLight(int node);
+
+    Source& m_source;
+    Scene& m_scene;
+    std::vector<glm::mat4> m_worlds;
+    std::map<std::pair<int, std::vector<double>>, int> m_meshes; ///< By file mesh and weights.
+};
+
+bool Walker::readJointMatrices(int index, std::vector<glm::mat4>& joints) {
+    const tinygltf::Skin& skin = m_source.model.skins[at(index)];
+    const std::size_t matrices =
+        skin.inverseBindMatrices == kNone ? 0 : m_source.model.accessors[at(skin.inverseBindMatrices)].count;
+    if (!m_source.charge(skin.joints.size() + matrices, 2 * sizeof(glm::mat4), pathOf("skins", index)))
+        return false;
+    joints.assign(skin.joints.size(), glm::mat4(1.0f));
+    if (skin.inverseBindMatrices != kNone) {
+        std::vector<float> numbers(matrices * 16);
+        if (!readFloats(m_source, skin.inverseBindMatrices, numbers))
+            return false;
+        for (std::size_t j = 0; j < joints.size(); ++j)
+            joints[j] = glm::make_mat4(numbers.data() + j * 16);
+    }
+    for (std::size_t j = 0; j < joints.size(); ++j)
+        joints[j] = m_worlds[at(skin.joints[j])] * joints[j];
+    return true;
+}
+
+// A mesh is shared by all nodes that show it with the same weights; a skinned one by none.
+bool Walker::findOrReadMesh(int fileMesh, const Pose& pose, int& mesh) {
+    const auto key = std::make_pair(fileMesh, pose.weights);
+    const auto known = m_meshes.find(key);
+    if (pose.joints.empty() && known != m_meshes.end()) {
+        mesh = known->second;
+        return true;
+    }
+    Mesh read;
+    if (!readMesh(m_source, fileMesh, pose, m_scene, read))
+        return false;
+    if (!read.primitives.empty()) {
+        mesh = static_cast<int>(m_scene.meshes.size());
+        m_scene.meshes.push_back(std::move(read));
+    }
+    if (pose.joints.empty())
+        m_meshes.emplace(key, mesh);
+    return true;
+}
+
+bool Walker::addMesh(int index) {
+    const tinygltf::Node& node = m_source.model.nodes[at(index)];
+    if (node.mesh == kNone)
+        return true;
+    Pose pose;
+    pose.weights = node.weights.empty() ? m_source.model.meshes[at(node.mesh)].weights : node.weights;
+    if (node.skin != kNone) {
+        m_source.warnOnce("skins are not animated; the pose of the file is drawn");
+        if (!readJointMatrices(node.skin, pose.joints))
+            return false;
+    }
+    const bool skinned = node.skin != kNone;
+    int mesh = kNone;
+    if (!findOrReadMesh(node.mesh, pose, mesh))
+        return false;
+    if (mesh == kNone)
+        return true; // nothing in it can be drawn
+    const glm::mat4 world = skinned ? glm::mat4(1.0f) : m_worlds[at(index)];
+    m_scene.instances.push_back({node.name, mesh, world, glm::determinant(glm::mat3(world)) < 0.0f});
+    return true;
+}
+
+bool Walker::addCamera(int index) {
+    const int number = m_source.model.nodes[at(index)].camera;
+    if (number == kNone)
+        return true;
+    Camera camera;
+    if (!readCamera(m_source, number, camera))
+        return false;
+    camera.world = m_worlds[at(index)];
+    m_scene.cameras.push_back(camera);
+    return true;
+}
+
+bool Walker::addLight(int index) {
+    const tinygltf::Node& node = m_source.model.nodes[at(index)];
+    const auto found = node.extensions.find("KHR_lights_punctual");
+    if (found == node.extensions.end())
+        return true;
+    const tinygltf::Value& number = found->second.Get("light");
+    if (!checkPresent(m_source, number.GetNumberAsInt(), m_source.model.lights.size(),
+                      pathOf("nodes", index, "extensions/KHR_lights_punctual/light")))
+        return false;
+    Light light;
+    if (!isKnownLight(m_source, number.GetNumberAsInt()))
+        return true;
+    if (!readLight(m_source, number.GetNumberAsInt(), light))
+        return false;
+    const glm::mat4& world = m_worlds[at(index)];
+    light.position = glm::vec3(world[3]);
+    const glm::vec3 back(world[2]);
+    if (glm::length(back) > 0.0f)
+        light.direction = -glm::normalize(back);
+    m_scene.lights.push_back(light);
+    return true;
+}
+
+} // namespace
+
+bool readNodes(Source& source, Scene& scene) { return Walker(source, scene).walk(); }
+
+} // namespace franken::gltf

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: MIT
+#include "gltf/schema.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace franken::gltf {
+namespace {
+
+enum class Kind {
+    Boolean,
+    String,
+    Number,
+    Integer,    ///< Of 32 bits.
+    Natural,    ///< Likewise, and not negative.
+    Size,       ///< An unsigned integer of 64 bits: bytes or elements.
+    Index,      ///< A Natural that points into an array.
+    Attributes, ///< An object whose every value is an Index.
+    Object,
+};
+
+constexpr std::array<std::string_view, 9> kDescriptions{"true or false",
+                                                        "a string",
+                                                        "a number",
+                                                        "an integer",
+                                                        "an integer that is not negative",
+                                                        "a size",
+                                                        "an index",
+                                                        "an object of indices",
+                                                        "an object"};
+
+struct Property;
+using Schema = std::span<const Property>;
+constexpr std::size_t kOne = 0, kMany = std::numeric_limits<std::size_t>::max();
+
+/// A member of an object.
+struct Property {
+    std::string_view name;
+    Kind kind;
+    std::size_t length = kOne; ///< One value, or an array: of so many, or of any number.
+    Schema members{};          ///< Of Kind::Object.
+    bool required = false;
+};
+
+constexpr Property required(std::string_view name, Kind kind, std::size_t length = kOne,
+                            Schema members = {}) {
+    return {name, kind, length, members, true};
+}
+
+// glTF 2.0, 5 ("Properties Reference"), and the schemas of the extensions that are known: the members that
+// the loader reads, and no others.
+
+constexpr Property kUvTransform[]{{"offset", Kind::Number, 2},
+                                  {"rotation", Kind::Number},
+                                  {"scale", Kind::Number, 2},
+                                  {"texCoord", Kind::Natural}};
+constexpr Property kTextureExtensions[]{{"KHR_texture_transform", Kind::Object, kOne, kUvTransform}};
+constexpr Property kTextureInfo[]{required("index", Kind::Index),
+                                  {"texCoord", Kind::Natural},
+                                  {"scale", Kind::Number},
+                                  {"strength", Kind::Number},
+                                  {"extensions", Kind::Object, kOne, kTextureExtensions}};
+constexpr Property kPbr[]{{"baseColorFactor", Kind::Number, 4},
+                          {"baseColorTexture", Kind::Object, kOne, kTextureInfo},
+                          {"metallicFactor", Kind::Number},
+                          {"roughnessFactor", Kind::Number},
+                          {"metallicRoughnessTexture", Kind::Object, kOne, kTextureInfo}};
+constexpr Property kEmissiveStrength[]{{"emissiveStrength", Kind::Number}};
+constexpr Property kMaterialExtensions[]{
+    {"KHR_materials_emissive_strength", Kind::Object, kOne, kEmissiveStrength},
+    {"KHR_materials_unlit", Kind::Object}};
+constexpr Property kMaterial[]{{"name", Kind::String},
+                               {"pbrMetallicRoughness", Kind::Object, kOne, kPbr},
+                               {"normalTexture", Kind::Object, kOne, kTextureInfo},
+                               {"occlusionTexture", Kind::Object, kOne, kTextureInfo},
+                               {"emissiveTexture", Kind::Object, kOne, kTextureInfo},
+                               {"emissiveFactor", Kind::Number, 3},
+                               {"alphaMode", Kind::String},
+                               {"alphaCutoff", Kind::Number},
+                               {"doubleSided", Kind::Boolean},
+                               {"extensions", Kind::Object, kOne, kMaterialExtensions}};
+
+constexpr Property kSparseIndices[]{required("bufferView", Kind::Index),
+                                    {"byteOffset", Kind::Natural},
+                                    required("componentType", Kind::Integer)};
+constexpr Property kSparseValues[]{required("bufferView", Kind::Index), {"byteOffset", Kind::Natural}};
+constexpr Property kSparse[]{required("count", Kind::Natural),
+                             required("indices", Kind::Object, kOne, kSparseIndices),
+                             required("values", Kind::Object, kOne, kSparseValues)};
+constexpr Property kAccessor[]{{"name", Kind::String},         {"bufferView", Kind::Index},
+                               {"byteOffset", Kind::Size},     required("componentType", Kind::Integer),
+                               {"normalized", Kind::Boolean},  required("count", Kind::Size),
+                               required("type", Kind::String), {"min", Kind::Number, kMany},
+                               {"max", Kind::Number, kMany},   {"sparse", Kind::Object, kOne, kSparse}};
+constexpr Property kBuffer[]{{"uri", Kind::String}, required("byteLength", Kind::Size)};
+constexpr Property kBufferView[]{required("buffer", Kind::Index),
+                                 {"byteOffset", Kind::Size},
+                                 required("byteLength", Kind::Size),
+                                 {"byteStride", Kind::Size},
+                                 {"target", Kind::Integer}};
+constexpr Property kImage[]{
+    {"name", Kind::String}, {"uri", Kind::String}, {"mimeType", Kind::String}, {"bufferView", Kind::Index}};
+constexpr Property kTexture[]{{"name", Kind::String}, {"sampler", Kind::Index}, {"source", Kind::Index}};
+constexpr Property kSampler[]{{"magFilter", Kind::Integer},
+                              {"minFilter", Kind::Integer},
+                              {"wrapS", Kind::Integer},
+                              {"wrapT", Kind::Integer}};
+
+constexpr Property kPrimitive[]{required("attributes", Kind::Attributes),
+                                {"indices", Kind::Index},
+                                {"material", Kind::Index},
+                                {"mode", Kind::Integer},
+                                {"targets", Kind::Attributes, kMany}};
+constexpr Property kMesh[]{{"name", Kind::String},
+                           required("primitives", Kind::Object, kMany, kPrimitive),
+                           {"weights", Kind::Number, kMany}};
+constexpr Property kSkin[]{{"name", Kind::String},
+                           required("joints", Kind::Index, kMany),
+                           {"inverseBindMatrices", Kind::Index},
+                           {"skeleton", Kind::Index}};
+constexpr Property kNodeLight[]{required("light", Kind::Index)};
+constexpr Property kNodeExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kNodeLight}};
+constexpr Property kNode[]{{"name", Kind::String},
+                           {"camera", Kind::Index},
+                           {"children", Kind::Index, kMany},
+                           {"skin", Kind::Index},
+                           {"mesh", Kind::Index},
+                           {"matrix", Kind::Number, 16},
+                           {"rotation", Kind::Number, 4},
+                           {"scale", Kind::Number, 3},
+                           {"translation", Kind::Number, 3},
+                           {"weights", Kind::Number, kMany},
+                           {"extensions", Kind::Object, kOne, kNodeExtensions}};
+constexpr Property kScene[]{{"name", Kind::String}, {"nodes", Kind::Index, kMany}};
+
+constexpr Property kPerspective[]{{"aspectRatio", Kind::Number},
+                                  required("yfov", Kind::Number),
+                                  {"zfar", Kind::Number},
+                                  required("znear", Kind::Number)};
+constexpr Property kOrthographic[]{required("xmag", Kind::Number), required("ymag", Kind::Number),
+                                   required("zfar", Kind::Number), required("znear", Kind::Number)};
+constexpr Property kCamera[]{{"name", Kind::String},
+                             required("type", Kind::String),
+                             {"perspective", Kind::Object, kOne, kPerspective},
+                             {"orthographic", Kind::Object, kOne, kOrthographic}};
+constexpr Property kSpot[]{{"innerConeAngle", Kind::Number}, {"outerConeAngle", Kind::Number}};
+constexpr Property kLight[]{{"name", Kind::String},     required("type", Kind::String),
+                            {"color", Kind::Number, 3}, {"intensity", Kind::Number},
+                            {"range", Kind::Number},    {"spot", Kind::Object, kOne, kSpot}};
+constexpr Property kLights[]{required("lights", Kind::Object, kMany, kLight)};
+constexpr Property kFileExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kLights}};
+constexpr Property kAsset[]{required("version", Kind::String)};
+
+constexpr Property kFile[]{required("asset", Kind::Object, kOne, kAsset),
+                           {"extensionsUsed", Kind::String, kMany},
+                           {"extensionsRequired", Kind::String, kMany},
+                           {"extensions", Kind::Object, kOne, kFileExtensions},
+                           {"buffers", Kind::Object, kMany, kBuffer},
+                           {"bufferViews", Kind::Object, kMany, kBufferView},
+                           {"accessors", Kind::Object, kMany, kAccessor},
+                           {"images", Kind::Object, kMany, kImage},
+                           {"samplers", Kind::Object, kMany, kSampler},
+                           {"textures", Kind::Object, kMany, kTexture},
+                           {"materials", Kind::Object, kMany, kMaterial},
+                           {"meshes", Kind::Object, kMany, kMesh},
+                           {"skins", Kind::Object, kMany, kSkin},
+                           {"cameras", Kind::Object, kMany, kCamera},
+                           {"nodes", Kind::Object, kMany, kNode},
+                           {"scenes", Kind::Object, kMany, kScene},
+                           {"scene", Kind::Index}};
+
+/// Walks a document along the schema. Functions return false after an error.
+class Checker {
+public:
+    explicit Checker(Source& source) : m_source(source) {}
+
+    bool checkObject(Json& object, Schema schema, const std::string& where) {
+        if (!object.is_object())
+            return wrongType(Kind::Object, where);
+        for (auto member = object.begin(); member != object.end();) {
+            const auto property = std::find_if(schema.begin(), schema.end(),
+                                               [&](const Property& p) { return p.name == member.key(); });
+            if (property == schema.end())
+                member = object.erase(member);
+            else if (checkProperty(*member, *property, where + pathOf(property->name)))
+                ++member;
+            else
+                return false;
+        }
+        for (const Property& property : schema)
+            if (property.required && !object.contains(property.name))
+                return m_source.fail("gltf.schema", where,
+                                     "the property " + std::string(property.name) + " is missing");
+        return true;
+    }
+
+private:
+    bool checkProperty(Json& value, const Property& property, const std::string& where) {
+        if (property.length == kOne)
+            return checkValue(value, property, where);
+        const bool any = property.length == kMany;
+        if (!value.is_array() || (!any && value.size() != property.length))
+            return m_source.fail("gltf.schema", where,
+                                 "an array is expected here, each element " +
+                                     std::string(kDescriptions[static_cast<std::size_t>(property.kind)]) +
+                                     (any ? "" : ", of length " + std::to_string(property.length)));
+        for (std::size_t i = 0; i < value.size(); ++i)
+            if (!checkValue(value[i], property, where + pathOf(i)))
+                return false;
+        return true;
+    }
+
+    bool checkValue(Json& value, const Property& property, const std::string& where) {
+        switch (property.kind) {
+        case Kind::Boolean:
+            return value.is_boolean() || wrongType(property.kind, where);
+        case Kind::String:
+            return value.is_string() || wrongType(property.kind, where);
+        case Kind::Number:
+            return value.is_number() || wrongType(property.kind, where);
+        case Kind::Attributes:
+            return checkAttributes(value, where);
+        case Kind::Object:
+            return checkObject(value, property.members, where);
+        default:
+            return checkInteger(value, property.kind, where);
+        }
+    }
+
+    // tinygltf cuts integers down to 32 bits, so that an index of 2^32 would be 0.
+    bool checkInteger(const Json& value, Kind kind, const std::string& where) {
+        if (!value.is_number_integer())
+            return wrongType(kind, where);
+        const bool isUnsigned = value.is_number_unsigned();
+        const bool isSmall = isUnsigned ? value.get<std::uint64_t>() <= std::numeric_limits<int>::max()
+                                        : value.get<std::int64_t>() >= std::numeric_limits<int>::min();
+        if (kind == Kind::Size ? isUnsigned : isSmall && (isUnsigned || kind == Kind::Integer))
+            return true;
+        return m_source.fail(
+            kind == Kind::Index ? "gltf.index-range" : "gltf.value", where,
+            value.dump() + " is out of range: " + std::string(kDescriptions[static_cast<std::size_t>(kind)]) +
+                " is expected here");
+    }
+
+    bool checkAttributes(Json& object, const std::string& where) {
+        if (!object.is_object())
+            return wrongType(Kind::Attributes, where);
+        for (const auto& [name, value] : object.items())
+            if (!checkInteger(value, Kind::Index, where + pathOf(name)))
+                return false;
+        return true;
+    }
+
+    bool wrongType(Kind expected, const std::string& where) {
+        return m_source.fail("gltf.schema", where,
+                             std::string(kDescriptions[static_cast<std::size_t>(expected)]) +
+                                 " is expected here");
+    }
+
+    Source& m_source;
+};
+
+} // namespace
+
+bool checkSchema(Source& source, Json& root) { return Checker(source).checkObject(root, kFile, ""); }
+
+} // namespace franken::gltf

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "franken/mipmap.h"
+
+#include "image/srgb_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace franken {
+namespace {
+
+/// The pixels along an axis that one pixel of half the size covers: of an odd size, three in part, because
+/// the pixels of the smaller picture are a little wider than two.
+struct Taps {
+    std::array<int, 3> pixel;
+    std::array<float, 3> weight;
+};
+
+Taps tapsAt(int x, int size) {
+    const int first = 2 * x, half = size / 2;
+    if (size == 1)
+        return {{0, 0, 0}, {1, 0, 0}};
+    if (size % 2 == 0)
+        return {{first, first + 1, first + 1}, {0.5f, 0.5f, 0}};
+    const auto whole = static_cast<float>(size);
+    return {{first, first + 1, first + 2},
+            {static_cast<float>(half - x) / whole, static_cast<float>(half) / whole,
+             static_cast<float>(x + 1) / whole}};
+}
+
+std::array<std::uint8_t, 4> meanOf(const Image& image, const Taps& across, const Taps& down) {
+    const SrgbTables& tables = SrgbTables::get();
+    std::array<float, 4> sum{};
+    for (std::size_t j = 0; j < 3; ++j)
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto pixel =
+                static_cast<std::size_t>(down.pixel[j]) * static_cast<std::size_t>(image.width) +
+                static_cast<std::size_t>(across.pixel[i]);
+            const std::uint8_t* const rgba = image.rgba.data() + 4 * pixel;
+            const float weight = across.weight[i] * down.weight[j];
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                sum[channel] += weight * tables.lightOf(rgba[channel]);
+            sum[3] += weight * static_cast<float>(rgba[3]);
+        }
+    return {tables.codeOf(sum[0]), tables.codeOf(sum[1]), tables.codeOf(sum[2]),
+            static_cast<std::uint8_t>(std::lround(std::min(sum[3], 255.0f)))};
+}
+
+Image halved(const Image& image) {
+    Image half{image.name, std::max(1, image.width / 2), std::max(1, image.height / 2), {}};
+    half.rgba.reserve(4 * static_cast<std::size_t>(half.width) * static_cast<std::size_t>(half.height));
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x) {
+            const std::array<std::uint8_t, 4> mean =
+                meanOf(image, tapsAt(x, image.width), tapsAt(y, image.height));
+            half.rgba.insert(half.rgba.end(), mean.begin(), mean.end());
+        }
+    return half;
+}
+
+} // namespace
+
+std::vector<Image> srgbMipmaps(const Image& image) {
+    std::vector<Image> levels;
+    for (const Image* last = &image; last->width > 1 || last->height > 1; last = &levels.back())
+        levels.push_back(halved(*last));
+    return levels;
+}
+
+} // namespace franken

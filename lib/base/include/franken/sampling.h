@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+
+namespace FRANKEN_API franken {
+
+/// What happens to texture coordinates outside 0..1.
+enum class Wrap { Repeat, ClampToEdge, MirroredRepeat };
+
+/// How texels, and for minification mip levels, are filtered.
+enum class Filter {
+    Nearest,
+    Linear,
+    NearestMipmapNearest,
+    LinearMipmapNearest,
+    NearestMipmapLinear,
+    LinearMipmapLinear,
+};
+
+inline bool usesMipmaps(Filter filter) { return filter != Filter::Nearest && filter != Filter::Linear; }
+
+} // namespace franken

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+#include "franken/generator/permutation.h"
+#include "franken/sampling.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace FRANKEN_API franken {
+
+/// What a driver compiles a program for, besides its text: vc4 and v3d compile again at the first draw in
+/// which one of these is new. The rest that they look at is the same in all draws of this library: textures
+/// are RGBA8, each attribute has one format (attribute_format.h), the depth test is on, all channels are written;
+/// or it is the target's: its format, its samples.
+struct DrawState {
+    struct Wraps {
+        Wrap s = Wrap::Repeat, t = Wrap::Repeat;
+        friend bool operator==(const Wraps&, const Wraps&) = default;
+    };
+    static constexpr std::size_t kUnits = 8;
+    static constexpr Wraps kClamped = {Wrap::ClampToEdge, Wrap::ClampToEdge};
+
+    /// By sampler unit; what a program does not sample does not matter. Skies (6, 7) are clamped.
+    std::array<Wraps, kUnits> wraps = {Wraps{}, {}, {}, {}, {}, {}, kClamped, kClamped};
+    bool blend = false; ///< Source over, without writing depth.
+
+    friend bool operator==(const DrawState&, const DrawState&) = default;
+};
+
+/// A program and the state that it is drawn in.
+struct ProgramUse {
+    Permutation permutation; ///< Canonical.
+    DrawState state;
+    friend bool operator==(const ProgramUse&, const ProgramUse&) = default;
+};
+
+/// Where only the units of `units` (bit n: unit n) count: equal numbers, equal states.
+std::uint64_t toBits(const DrawState& state, unsigned units);
+
+} // namespace franken

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "program_probe.h"
+
+#include "franken/gl_sampling.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace franken {
+namespace {
+
+constexpr int kOwnSize = 16;
+constexpr Float3 kFirst{0.25f, 0.5f, 0.75f}, kSecond{0.75f, 0.25f, 0.5f}; ///< Differ in each channel.
+
+constexpr Float9 kIdentity3{1, 0, 0, 0, 1, 0, 0, 0, 1};
+constexpr Float16 kIdentity4{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+/// All light comes from the eye, so that no formula is at its edge.
+LightsBlock lightFromTheEye() {
+    LightsBlock block{};
+    packAmbient(block, {1, 1, 1}, 1);
+    for (std::size_t i = 0; i < Permutation::kMaxLights; ++i) {
+        packSun(block, i, {.direction = {0, 0, -1}, .illuminance = 1}, 1);
+        packLamp(block, i, {.position = {0, 0, 2}, .intensity = 1}, {0, 0, 2}, 1);
+    }
+    return block;
+}
+
+/// A level of a white texture, as wide as it is high.
+void uploadWhite(const Gl& gl, GLenum target, GLint level, GLsizei size) {
+    const std::vector<std::uint8_t> white(static_cast<std::size_t>(4 * size * size), 255);
+    gl.TexImage2D(target, level, GL_RGBA, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, white.data());
+}
+
+GlTexture boundTexture(const Gl& gl, GLenum target) {
+    GlTexture texture(gl, generate(gl.GenTextures));
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(target, texture.name());
+    return texture;
+}
+
+GlTexture whiteTexture(const Gl& gl, DrawState::Wraps wraps) {
+    GlTexture texture = boundTexture(gl, GL_TEXTURE_2D);
+    setSampling(gl, GL_TEXTURE_2D, wraps.s, wraps.t, Filter::Linear, Filter::LinearMipmapLinear);
+    uploadWhite(gl, GL_TEXTURE_2D, 0, 2);
+    uploadWhite(gl, GL_TEXTURE_2D, 1, 1);
+    return texture;
+}
+
+GlTexture whiteCube(const Gl& gl) {
+    GlTexture texture = boundTexture(gl, GL_TEXTURE_CUBE_MAP);
+    setSampling(gl, GL_TEXTURE_CUBE_MAP, Wrap::ClampToEdge, Wrap::ClampToEdge, Filter::Linear,
+                Filter::Linear);
+    for (GLenum face = 0; face < 6; ++face)
+        uploadWhite(gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + face, 0, 2);
+    return texture;
+}
+
+} // namespace
+
+ProgramProbe::ProgramProbe(const Gl& gl, TextureReset& reset, Log log)
+    : m_gl(&gl), m_reset(&reset), m_log(std::move(log)), m_state(gl) {
+    m_frame.edit() = {.cameraPosition = {0, 0, 2},
+                      .clipToSky = kIdentity3,
+                      .skyRange = 1,
+                      .specularScale = 1,
+                      .dither = {}};
+    m_lights.edit() = lightFromTheEye();
+    m_object.edit() = {kIdentity4, kIdentity4, kIdentity3, kIdentity3};
+}
+
+std::vector<bool> ProgramProbe::draw(std::span<const Draw> draws, const DrawTarget* target) {
+    const DrawTarget used = target != nullptr ? *target : ownTarget();
+    m_state.invalidate();
+    m_state.begin();
+    m_state.setDepthTest(true);
+    m_state.setCulling(false);
+    m_gl->BindFramebuffer(GL_FRAMEBUFFER, used.framebuffer);
+    std::vector<bool> drawn;
+    const auto width = static_cast<std::size_t>(std::max(used.width, 1));
+    for (std::size_t begin = 0; begin < draws.size(); begin += width) {
+        const std::vector<bool> row = drawRow(draws.subspan(begin, std::min(width, draws.size() - begin)));
+        drawn.insert(drawn.end(), row.begin(), row.end());
+    }
+    return drawn;
+}
+
+std::vector<bool> ProgramProbe::drawRow(Row row) {
+    std::vector<bool> drawn(row.size(), true);
+    const Pixels before = clear(kFirst, row.size());
+    for (std::size_t i = 0; i < row.size(); ++i)
+        drawOne(row[i], static_cast<GLint>(i));
+    const Pixels after = read(row.size());
+    if (std::equal(before.begin(), before.end(), after.begin(), std::not_equal_to<>()))
+        return drawn;
+    const Pixels again = clear(kSecond, row.size());
+    for (std::size_t i = 0; i < row.size(); ++i)
+        if (after[i] == before[i])
+            drawOne(row[i], static_cast<GLint>(i));
+    const Pixels last = read(row.size());
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        const bool blind = again[i] == before[i];
+        drawn[i] = blind || after[i] != before[i] || last[i] != again[i];
+        if (blind && m_log && !std::exchange(m_saidThatItIsBlind, true))
+            m_log(LogLevel::Warning, "the target cannot be read back: that programs draw is taken on trust");
+    }
+    return drawn;
+}
+
+ProgramProbe::Pixels ProgramProbe::clear(const Float3& color, std::size_t count) {
+    m_state.setDepthWrites(true);
+    m_state.setClearColor(color);
+    m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    return read(count);
+}
+
+ProgramProbe::Pixels ProgramProbe::read(std::size_t count) const {
+    Pixels pixels(count);
+    m_gl->ReadPixels(0, 0, static_cast<GLsizei>(count), 1, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+    return pixels;
+}
+
+void ProgramProbe::drawOne(const Draw& draw, GLint x) {
+    const ProbeTriangle& shape = triangle();
+    bindTextures(draw);
+    m_state.setBlending(draw.state->blend);
+    m_state.setDepthWrites(!draw.state->blend);
+    m_gl->Viewport(x, 0, 1, 1);
+    m_reset->invalidate();
+    m_reset->prepareFor(m_state, *draw.program);
+    m_material.edit() = packMaterial({.alphaCutoff = 0}, draw.permutation->brdf, 1);
+    m_state.useProgram(draw.program->name());
+    draw.program->feed({m_frame.view(), m_lights.view(), m_material.view(), m_object.view()});
+    m_state.enableArrays(draw.program->attributes());
+    shape.draw(m_state, draw.program->attributes());
+}
+
+void ProgramProbe::bindTextures(const Draw& draw) {
+    std::array<GLuint, DrawState::kUnits>
+        names{}; // Uploading binds: all are there before the first is bound.
+    const std::vector<Sampler>& samplers = draw.program->interface().samplers;
+    for (const Sampler& sampler : samplers) {
+        const auto unit = static_cast<std::size_t>(sampler.unit);
+        names[unit] = texture(sampler.type, draw.state->wraps[unit]).name();
+    }
+    for (const Sampler& sampler : samplers)
+        m_state.bindTexture(static_cast<unsigned>(sampler.unit),
+                            sampler.type == Type::SamplerCube ? GL_TEXTURE_CUBE_MAP : GL_TEXTURE_2D,
+                            names[static_cast<std::size_t>(sampler.unit)]);
+}
+
+const GlTexture& ProgramProbe::texture(Type type, DrawState::Wraps wraps) {
+    GlTexture& texture = m_textures[{type, wraps.s, wraps.t}];
+    if (!texture) {
+        texture = type == Type::SamplerCube ? whiteCube(*m_gl) : whiteTexture(*m_gl, wraps);
+        m_state.invalidate();
+    }
+    return texture;
+}
+
+const ProbeTriangle& ProgramProbe::triangle() {
+    if (!m_triangle) {
+        m_triangle.emplace(*m_gl, ProbeTriangle::Extent::Covering);
+        m_state.invalidate();
+    }
+    return *m_triangle;
+}
+
+DrawTarget ProgramProbe::ownTarget() {
+    if (!m_framebuffer) {
+        const Gl& gl = *m_gl;
+        m_color = GlTexture(gl, generate(gl.GenTextures));
+        gl.BindTexture(GL_TEXTURE_2D, m_color.name());
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, kOwnSize, kOwnSize, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        m_depth = GlRenderbuffer(gl, generate(gl.GenRenderbuffers));
+        gl.BindRenderbuffer(GL_RENDERBUFFER, m_depth.name());
+        gl.RenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, kOwnSize, kOwnSize);
+        m_framebuffer = GlFramebuffer(gl, generate(gl.GenFramebuffers));
+        gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_color.name(), 0);
+        gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_depth.name());
+    }
+    return {.framebuffer = m_framebuffer.name(), .width = kOwnSize, .height = kOwnSize};
+}
+
+} // namespace franken

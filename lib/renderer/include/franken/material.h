@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+#include "franken/generator/pack.h"
+#include "franken/light.h"
+#include "franken/log.h"
+#include "franken/result.h"
+#include "franken/scene.h"
+
+#include <array>
+
+namespace FRANKEN_API franken {
+
+/// The choices that hold for a whole picture, whatever its materials.
+struct Look {
+    Brdf brdf = Brdf::Gltf;
+    LightVectors lightVectors = LightVectors::PerPixel; ///< Per vertex: where a mesh is fine enough for it.
+    Decode decode = Decode::Exact;
+    ToneMap toneMap = ToneMap::None;
+    Output output = Output::Srgb;
+    /// The target encodes what is written to it (platform::Surface::srgbTarget()): programs then write linear
+    /// light, whatever `output` says. Views of a material's numbers are encoded by such a target as well.
+    bool srgbTarget = false;
+    Dither dither = Dither::None;
+    View view = View::Shaded;
+    Target target = Target::Generic;
+    bool facingWorkaround = false;
+};
+
+/// Which of a primitive's optional attributes are there, and what else of its vertices chooses programs.
+struct VertexContents {
+    bool tangents = false;
+    std::array<bool, 2> uv{}; ///< TEXCOORD_0, TEXCOORD_1
+    bool colors = false;
+    bool fine = false; ///< Normals turn by no more than kFineNormalTurn (tessellation.h).
+    friend bool operator==(const VertexContents&, const VertexContents&) = default;
+};
+
+VertexContents contentsOf(const Primitive& primitive);
+
+/// Samplers of materials: samplerUnit() is below it.
+inline constexpr std::size_t kMaterialUnits = 6;
+
+/// A material as programs see it, on vertices with certain contents.
+struct MaterialPlan {
+    Permutation permutation; ///< The material's choices alone; see permutationOf().
+    MaterialFactors factors;
+    std::array<int, kMaterialUnits> textures; ///< Scene texture of each sampler unit, or kNone.
+    std::array<int, 2> uvSets{};              ///< Which TEXCOORD_n feeds each of the two streams.
+    bool fine = false;                        ///< Light vectors may be per vertex.
+};
+
+/// Distributes a material's textures over the two UV streams of a program. A stream is one TEXCOORD set with
+/// one KHR_texture_transform; textures that share both share a stream. Left out, each with a warning that
+/// names the material: a texture whose TEXCOORD set the vertices lack, a texture that would need a third
+/// stream, and a normal map on vertices without tangents.
+MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents& contents,
+                          const Log& log = {});
+
+/// The program that draws such a material in that light, canonical. Fails where canonicalise() does.
+Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& lighting, const Look& look);
+
+/// The program that draws a sky behind all, canonical.
+Result<Permutation> skyPermutation(const Look& look);
+
+} // namespace franken

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+#include "franken/draw_state.h"
+#include "franken/material.h"
+
+#include <vector>
+
+namespace FRANKEN_API franken {
+
+/// The state that a material of the scene is drawn in.
+DrawState drawStateOf(const Scene& scene, const MaterialPlan& plan, bool blended);
+
+/// What a scene needs in that light and look, each once. Needs no GL. For lights that go on and off: once for
+/// each lighting that will occur. Fails where canonicalise() does.
+Result<std::vector<ProgramUse>> usesOf(const Scene& scene, const Lighting& lighting, const Look& look,
+                                       const Log& log = {});
+
+/// What a skybox needs.
+Result<ProgramUse> skyUse(const Look& look);
+
+} // namespace franken

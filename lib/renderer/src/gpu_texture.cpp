@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "gpu_texture.h"
+
+#include "franken/gl_sampling.h"
+#include "franken/mipmap.h"
+
+#include <algorithm>
+#include <bit>
+#include <numbers>
+#include <string>
+
+namespace franken {
+namespace {
+
+bool needsPowersOfTwo(const Texture& texture) {
+    return usesMipmaps(texture.minFilter) || texture.wrapS != Wrap::ClampToEdge || texture.wrapT != Wrap::ClampToEdge;
+}
+
+int powerOfTwoBelow(int size) { return static_cast<int>(std::bit_floor(static_cast<unsigned>(size))); }
+
+/// By ratio.
+int nearestPowerOfTwo(int size) {
+    const int low = powerOfTwoBelow(size);
+    return size >= low * std::numbers::sqrt2 ? 2 * low : low;
+}
+
+void bind(const Gl& gl, GLenum target, const GlTexture& texture, const Texture& sampling) {
+    gl.ActiveTexture(GL_TEXTURE0);
+    gl.BindTexture(target, texture.name());
+    gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    setSampling(gl, target, sampling.wrapS, sampling.wrapT, sampling.magFilter, sampling.minFilter);
+}
+
+void uploadPixels(const Gl& gl, GLenum target, const Image& image, GLint level = 0) {
+    gl.TexImage2D(target, level, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                  image.rgba.data());
+}
+
+void uploadLevels(const Gl& gl, const Image& image, bool mipmaps, TextureContents contents) {
+    uploadPixels(gl, GL_TEXTURE_2D, image);
+    if (mipmaps && contents != TextureContents::Color)
+        gl.GenerateMipmap(GL_TEXTURE_2D);
+    else if (mipmaps)
+        for (GLint level = 0; const Image& smaller : srgbMipmaps(image))
+            uploadPixels(gl, GL_TEXTURE_2D, smaller, ++level);
+}
+
+} // namespace
+
+TextureSize fittedSize(const Image& image, const Texture& texture, const Capabilities& capabilities) {
+    const int longest = std::max(image.width, image.height);
+    const double scale = std::min(1.0, static_cast<double>(capabilities.maxTextureSize) / longest);
+    const bool powers = !capabilities.anyTextureSize && needsPowersOfTwo(texture);
+    const int largest = powerOfTwoBelow(capabilities.maxTextureSize);
+    const auto fit = [&](int size) {
+        const int scaled = std::max(1, static_cast<int>(size * scale));
+        return powers ? std::min(nearestPowerOfTwo(scaled), largest) : scaled;
+    };
+    return {fit(image.width), fit(image.height)};
+}
+
+std::size_t textureBytes(TextureSize size, bool mipmaps) {
+    constexpr std::size_t kTexel = 4;
+    std::size_t texels = 0;
+    for (auto [width, height] = size;; width = std::max(1, width / 2), height = std::max(1, height / 2)) {
+        texels += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        if (!mipmaps || (width == 1 && height == 1))
+            return texels * kTexel;
+    }
+}
+
+Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const Texture& texture,
+                                 TextureContents contents) {
+    const auto& [gl, capabilities, memory, log] = device;
+    const TextureSize size = fittedSize(image, texture, capabilities);
+    const bool mipmaps = usesMipmaps(texture.minFilter);
+    Result<MemoryLease> lease = memory.reserve(MemoryUse::Textures, textureBytes(size, mipmaps));
+    if (!lease)
+        return lease.error();
+    if (log && std::max(image.width, image.height) > capabilities.maxTextureSize)
+        log(LogLevel::Warning, "image \"" + image.name + "\" is scaled down to " +
+                                   std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                   ": the GPU takes no more");
+    GlTexture name(gl, generate(gl.GenTextures));
+    bind(gl, GL_TEXTURE_2D, name, texture);
+    if (size == TextureSize{image.width, image.height})
+        uploadLevels(gl, image, mipmaps, contents);
+    else
+        uploadLevels(gl, resampled(image, size.width, size.height, texture, contents), mipmaps, contents);
+    return GpuTexture{std::move(name), *std::move(lease)};
+}
+
+GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
+    GlTexture name(gl, generate(gl.GenTextures));
+    bind(gl, GL_TEXTURE_2D, name, kPlainSampling);
+    uploadPixels(gl, GL_TEXTURE_2D, {"", 1, 1, {rgba.begin(), rgba.end()}});
+    return name;
+}
+
+GlTexture uploadCube(const Gl& gl, const SkyCube& cube) {
+    GlTexture name(gl, generate(gl.GenTextures));
+    bind(gl, GL_TEXTURE_CUBE_MAP, name, kPlainSampling);
+    for (std::size_t face = 0; face < cube.images.size(); ++face)
+        uploadPixels(gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), cube.images[face]);
+    return name;
+}
+
+} // namespace franken

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+#include "franken/material.h"
+
+#include "franken/tessellation.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cassert>
+#include <optional>
+
+namespace franken {
+namespace {
+
+Float9 toFloat9(const glm::mat3& matrix) {
+    Float9 values;
+    std::copy_n(glm::value_ptr(matrix), values.size(), values.begin());
+    return values;
+}
+
+/// Hands out the two streams to textures as they come.
+class Streams {
+public:
+    Streams(const Material& material, const VertexContents& contents, const Log& log)
+        : m_material(material), m_contents(contents), m_log(log) {}
+
+    /// The stream that feeds the texture; none where it must be left out.
+    std::optional<UvStream> find(const TextureRef& ref, const char* role);
+
+    std::size_t count() const { return m_used.size(); }
+    const TextureRef& operator[](std::size_t stream) const { return *m_used[stream]; }
+
+    void warn(const char* role, const std::string& reason) const {
+        if (m_log)
+            m_log(LogLevel::Warning,
+                  "material \"" + m_material.name + "\": the " + role + " texture is left out: " + reason);
+    }
+
+private:
+    const Material& m_material;
+    const VertexContents& m_contents;
+    const Log& m_log;
+    std::vector<const TextureRef*> m_used;
+};
+
+std::optional<UvStream> Streams::find(const TextureRef& ref, const char* role) {
+    if (!m_contents.uv[static_cast<std::size_t>(ref.uvSet)]) {
+        warn(role, "the mesh has no TEXCOORD_" + std::to_string(ref.uvSet));
+        return std::nullopt;
+    }
+    for (std::size_t stream = 0; stream < m_used.size(); ++stream)
+        if (m_used[stream]->uvSet == ref.uvSet && m_used[stream]->transform == ref.transform)
+            return static_cast<UvStream>(stream);
+    if (m_used.size() == 2) {
+        warn(role, "it would be the third pair of texture coordinates and transform, and there are two");
+        return std::nullopt;
+    }
+    m_used.push_back(&ref);
+    return static_cast<UvStream>(m_used.size() - 1);
+}
+
+bool sameSampling(const Scene& scene, const TextureRef& a, const TextureRef& b) {
+    const Texture& left = scene.textures[static_cast<std::size_t>(a.texture)];
+    const Texture& right = scene.textures[static_cast<std::size_t>(b.texture)];
+    return a.uvSet == b.uvSet && a.transform == b.transform && left.image == right.image &&
+           left.wrapS == right.wrapS && left.wrapT == right.wrapT && left.magFilter == right.magFilter &&
+           left.minFilter == right.minFilter;
+}
+
+class Planner {
+public:
+    Planner(const Scene& scene, const Material& material, const VertexContents& contents, const Log& log)
+        : m_scene(scene), m_material(material), m_contents(contents), m_streams(material, contents, log) {
+        m_plan.textures.fill(kNone);
+    }
+
+    MaterialPlan make() {
+        planBase();
+        planNormal();
+        planReflection();
+        planEmissive();
+        planStreams();
+        m_plan.factors.baseColor = {m_material.baseColor.r, m_material.baseColor.g, m_material.baseColor.b,
+                                    m_material.baseColor.a};
+        m_plan.factors.metallic = m_material.metallic;
+        m_plan.factors.roughness = m_material.roughness;
+        m_plan.fine = m_contents.fine;
+        return m_plan;
+    }
+
+private:
+    Permutation& choices() { return m_plan.permutation; }
+
+    bool take(const TextureRef& ref, const char* role, const char* sampler, UvStream& stream) {
+        if (!ref)
+            return false;
+        const std::optional<UvStream> found = m_streams.find(ref, role);
+        if (!found)
+            return false;
+        stream = *found;
+        m_plan.textures[static_cast<std::size_t>(samplerUnit(sampler))] = ref.texture;
+        return true;
+    }
+
+    void planBase() {
+        choices().baseColorTexture =
+            take(m_material.baseColorTexture, "base colour", "uBaseColorTexture", choices().baseColorUv);
+        choices().vertexColor = m_contents.colors;
+        choices().sides = m_material.doubleSided ? Sides::Double : Sides::Single;
+        choices().shading = m_material.unlit ? Shading::Unlit : Shading::Lit;
+        choices().alpha = m_material.alphaMode == AlphaMode::Mask    ? Alpha::Mask
+                          : m_material.alphaMode == AlphaMode::Blend ? Alpha::Blend
+                                                                     : Alpha::Opaque;
+        m_plan.factors.alphaCutoff = m_material.alphaCutoff;
+    }
+
+    void planNormal() {
+        if (m_material.normalTexture && !m_contents.tangents)
+            return m_streams.warn("normal", "the mesh has no tangents");
+        if (take(m_material.normalTexture, "normal", "uNormalTexture", choices().normalUv))
+            choices().normal = Normal::Map;
+        m_plan.factors.normalScale = m_material.normalScale;
+    }
+
+    void planReflection() {
+        const TextureRef& packed = m_material.metallicRoughnessTexture;
+        const TextureRef& occlusion = m_material.occlusionTexture;
+        if (take(packed, "metallic-roughness", "uMetallicRoughnessTexture", choices().metallicRoughnessUv))
+            choices().metallicRoughness = MetallicRoughness::Packed;
+        if (choices().metallicRoughness == MetallicRoughness::Packed && occlusion &&
+            sameSampling(m_scene, packed, occlusion))
+            choices().occlusion = Occlusion::Packed;
+        else if (take(occlusion, "occlusion", "uOcclusionTexture", choices().occlusionUv))
+            choices().occlusion = Occlusion::Texture;
+        m_plan.factors.occlusionStrength = m_material.occlusionStrength;
+    }
+
+    void planEmissive() {
+        if (m_material.emissive == glm::vec3(0))
+            return;
+        choices().emissive =
+            take(m_material.emissiveTexture, "emissive", "uEmissiveTexture", choices().emissiveUv)
+                ? Emissive::Texture
+                : Emissive::Factor;
+        m_plan.factors.emissive = {m_material.emissive.r, m_material.emissive.g, m_material.emissive.b};
+    }
+
+    void planStreams() {
+        for (std::size_t i = 0; i < m_streams.count(); ++i) {
+            m_plan.uvSets[i] = m_streams[i].uvSet;
+            (i == 0 ? choices().uv0Transform : choices().uv1Transform) = m_streams[i].transformed;
+            (i == 0 ? m_plan.factors.uv0Transform : m_plan.factors.uv1Transform) =
+                toFloat9(m_streams[i].transform);
+        }
+    }
+
+    const Scene& m_scene;
+    const Material& m_material;
+    const VertexContents& m_contents;
+    Streams m_streams;
+    MaterialPlan m_plan;
+};
+
+void apply(const Look& look, Permutation& permutation) {
+    permutation.brdf = look.brdf;
+    permutation.decode = look.decode;
+    permutation.toneMap = look.toneMap;
+    permutation.output = look.srgbTarget ? Output::Linear : look.output;
+    permutation.dither = look.dither;
+    permutation.view = look.view;
+    permutation.target = look.target;
+    permutation.facingWorkaround = look.facingWorkaround;
+}
+
+Result<Permutation> canonical(const Permutation& permutation) {
+    Result<Canonical> result = canonicalise(permutation);
+    if (!result)
+        return result.error();
+    return result->permutation;
+}
+
+} // namespace
+
+VertexContents contentsOf(const Primitive& primitive) {
+    return {.tangents = !primitive.tangents.empty(),
+            .uv = {!primitive.uv[0].empty(), !primitive.uv[1].empty()},
+            .colors = !primitive.colors.empty(),
+            .fine = normalTurn(primitive) <= kFineNormalTurn};
+}
+
+MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents& contents, const Log& log) {
+    assert(material >= 0 && static_cast<std::size_t>(material) < scene.materials.size());
+    return Planner(scene, scene.materials[static_cast<std::size_t>(material)], contents, log).make();
+}
+
+Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& lighting, const Look& look) {
+    Permutation permutation = plan.permutation;
+    apply(look, permutation);
+    if (plan.fine)
+        permutation.lightVectors = look.lightVectors;
+    permutation.ambient = lighting.ambient;
+    if (lighting.ambient == Ambient::Sky)
+        permutation.skySpecular = lighting.skySpecular;
+    permutation.suns = static_cast<std::uint8_t>(lighting.suns.size());
+    permutation.lamps = static_cast<std::uint8_t>(lighting.lamps.size());
+    permutation.spots =
+        std::any_of(lighting.lamps.begin(), lighting.lamps.end(), [](const Lamp& lamp) { return lamp.spot; });
+    return canonical(permutation);
+}
+
+Result<Permutation> skyPermutation(const Look& look) {
+    Permutation permutation;
+    permutation.program = Program::Sky;
+    apply(look, permutation);
+    return canonical(permutation);
+}
+
+} // namespace franken

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+// The arrows between the project's parts, read off their includes: a part includes what the table below allows
+// it and nothing else, and public headers include no third party's but those that they are made for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace franken::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Strings = std::vector<std::string>;
+
+const fs::path kRoot = FRANKEN_SOURCE_DIR;
+
+struct Part {
+    std::string folder;
+    Strings uses;       ///< Other parts.
+    Strings thirdParty; ///< Beginnings of the third-party headers that its public headers may include.
+};
+
+/// The longest matching folder is a file's part.
+const std::vector<Part> kParts = {
+    {"lib/base", {}, {}},
+    {"generator", {"lib/base"}, {}},
+    {"generator/cli", {"lib/base", "generator"}, {}},
+    {"lib/programs", {"lib/base", "generator"}, {"GLES2/gl2.h"}},
+    {"lib/assets", {"lib/base", "generator"}, {"glm/"}},
+    {"lib/assets/src/gltf",
+     {"lib/base", "generator", "lib/assets", "lib/assets/src/mesh", "lib/assets/src/image",
+      "lib/assets/src/animation"},
+     {}},
+    {"lib/assets/src/sky", {"lib/base", "generator", "lib/assets", "lib/assets/src/image"}, {}},
+    {"lib/assets/src/image", {"lib/base", "lib/assets"}, {}},
+    {"lib/assets/src/mesh", {"lib/base", "lib/assets"}, {}},
+    {"lib/assets/src/animation", {"lib/base", "lib/assets"}, {}},
+    {"lib/renderer", {"lib/base", "generator", "lib/programs", "lib/assets"}, {"glm/"}},
+    {"platform", {"lib/base"}, {}},
+    {"examples",
+     {"lib/base", "generator", "lib/programs", "lib/assets", "lib/renderer", "platform"},
+     {}},
+};
+
+/// Of generator, lib/assets sees the plain structs of lights and materials alone.
+const Strings kOfGeneratorForAssets = {"franken/generator/pack.h"};
+
+bool contains(const Strings& list, const std::string& entry) {
+    return std::find(list.begin(), list.end(), entry) != list.end();
+}
+
+const Part* partOf(const std::string& file) {
+    const Part* best = nullptr;
+    for (const Part& part : kParts)
+        if (file.starts_with(part.folder + "/") &&
+            (best == nullptr || part.folder.size() > best->folder.size()))
+            best = &part;
+    return best;
+}
+
+bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
+
+/// Paths from the root, with slashes.
+Strings sources() {
+    Strings files;
+    for (const char* top : {"lib", "generator", "platform", "examples"})
+        for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
+            if (entry.is_regular_file() && isSource(entry.path()))
+                files.push_back(fs::relative(entry.path(), kRoot).generic_string());
+    return files;
+}
+
+/// The file that an include means, from the root; empty for a header of a third party or of the system.
+std::string resolve(const std::string& include, const std::string& from) {
+    const Part& part = *partOf(from);
+    Strings places = {fs::path(from).parent_path().generic_string(), part.folder, part.folder + "/src",
+                      "lib/assets/src", "examples"};
+    if (include.starts_with("franken/"))
+        for (const Part& other : kParts)
+            places.push_back(other.folder + "/include");
+    for (const std::string& place : places)
+        if (fs::exists(kRoot / place / include))
+            return (fs::path(place) / include).lexically_normal().generic_string();
+    return "";
+}
+
+struct Include {
+    std::string name;
+    bool quoted;
+};
+
+std::vector<Include> includesOf(const std::string& file) {
+    static const std::regex kInclude(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");
+    std::vector<Include> includes;
+    std::ifstream in(kRoot / file);
+    for (std::string line; std::getline(in, line);)
+        if (std::smatch match; std::regex_search(line, match, kInclude))
+            includes.push_back({match[2], match[1] == "\""});
+    return includes;
+}
+
+TEST(Layout, EachPartIncludesOnlyWhatItMayUse) {
+    int arrows = 0;
+    for (const std::string& file : sources()) {
+        const Part& from = *partOf(file);
+        for (const auto& [name, quoted] : includesOf(file)) {
+            const std::string target = quoted ? resolve(name, file) : "";
+            if (target.empty())
+                continue;
+            const Part& to = *partOf(target);
+            if (to.folder == from.folder)
+                continue;
+            ++arrows;
+            EXPECT_TRUE(contains(from.uses, to.folder))
+                << file << " includes " << name << ": " << from.folder << " may not use " << to.folder;
+            if (from.folder.starts_with("lib/assets") && to.folder == "generator") {
+                EXPECT_TRUE(contains(kOfGeneratorForAssets, name)) << file << " includes " << name;
+            }
+        }
+    }
+    EXPECT_GT(arrows, 100) << "the includes were not found";
+}
+
+TEST(Layout, EachIncludeInQuotesIsAFileOfOurs) {
+    for (const std::string& file : sources()) {
+        if (file.starts_with("examples/embed"))
+            continue; // They are built against an installed package.
+        for (const auto& [name, quoted] : includesOf(file)) {
+            if (quoted) {
+                EXPECT_FALSE(resolve(name, file).empty()) << file << " includes " << name;
+            }
+        }
+    }
+}
+
+TEST(Layout, PublicHeadersIncludeTheStandardLibraryAndWhatTheirPartIsMadeFor) {
+    int headers = 0;
+    for (const std::string& file : sources()) {
+        if (file.find("/include/franken/") == std::string::npos)
+            continue;
+        ++headers;
+        const Part& part = *partOf(file);
+        for (const auto& [name, quoted] : includesOf(file)) {
+            const auto allows = [&](const std::string& beginning) { return name.starts_with(beginning); };
+            const bool ofTheStandardLibrary = name.find_first_of("./") == std::string::npos;
+            EXPECT_TRUE(quoted || ofTheStandardLibrary ||
+                        std::any_of(part.thirdParty.begin(), part.thirdParty.end(), allows))
+                << file << " includes " << name;
+        }
+    }
+    EXPECT_GT(headers, 40);
+}
+
+} // namespace
+} // namespace franken::test

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+// From a material and its light to a permutation; no GL.
+#include "franken/program_uses.h"
+#include "franken/material.h"
+#include "franken/viewpoint.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace franken::test {
+namespace {
+
+constexpr VertexContents kAll = {.tangents = true, .uv = {true, true}, .colors = false};
+
+/// A scene with one material and three textures of one pixel.
+Scene sceneWith(const Material& material) {
+    SceneBuilder builder;
+    for (int i = 0; i < 3; ++i)
+        builder.addTexture(paint(1, [](glm::vec2) { return glm::vec4(1); }));
+    builder.addMaterial(material);
+    return builder.scene;
+}
+
+glm::mat3 doubled() { return {2, 0, 0, 0, 2, 0, 0, 0, 1}; }
+
+std::string nameOf(const Material& material, const VertexContents& contents = kAll, const Log& log = {}) {
+    const MaterialPlan plan = planMaterial(sceneWith(material), 0, contents, log);
+    Lighting lighting;
+    lighting.ambient = Ambient::Color;
+    lighting.suns.resize(1);
+    const Result<Permutation> permutation = permutationOf(plan, lighting, {});
+    return permutation ? toName(*permutation) : toString(permutation.error());
+}
+
+TEST(MaterialPlan, FactorsAlone) { EXPECT_EQ(nameOf({}), "ambient+sun1"); }
+
+TEST(MaterialPlan, AllRoles) {
+    Material material;
+    material.baseColorTexture.texture = 0;
+    material.metallicRoughnessTexture.texture = 1;
+    material.occlusionTexture.texture = 2;
+    material.normalTexture.texture = 1;
+    material.emissiveTexture.texture = 0;
+    material.emissive = glm::vec3(1);
+    material.alphaMode = AlphaMode::Mask;
+    material.doubleSided = true;
+    EXPECT_EQ(nameOf(material), "basecolor.metalrough.normal.occlusion.emissive.mask.double+ambient+sun1");
+}
+
+TEST(MaterialPlan, OcclusionInThePackedTextureIsFetchedOnce) {
+    Material material;
+    material.metallicRoughnessTexture.texture = 1;
+    material.occlusionTexture.texture = 1;
+    EXPECT_EQ(nameOf(material), "metalrough.occlusion-packed+ambient+sun1");
+    material.occlusionTexture.uvSet = 1;
+    EXPECT_EQ(nameOf(material), "metalrough.occlusion.occlusion-uv1+ambient+sun1");
+}
+
+TEST(MaterialPlan, ASecondTransformOfTheSameSetIsASecondStream) {
+    Material material;
+    material.baseColorTexture.texture = 0;
+    material.normalTexture = {.texture = 1, .transform = doubled(), .transformed = true};
+    const MaterialPlan plan = planMaterial(sceneWith(material), 0, kAll);
+    EXPECT_EQ(plan.permutation.normalUv, UvStream::Uv1);
+    EXPECT_TRUE(plan.permutation.uv1Transform);
+    EXPECT_FALSE(plan.permutation.uv0Transform);
+    EXPECT_EQ(plan.uvSets, (std::array{0, 0}));
+    EXPECT_EQ(plan.factors.uv1Transform, (Float9{2, 0, 0, 0, 2, 0, 0, 0, 1}));
+}
+
+TEST(MaterialPlan, OnlyTheSecondSetIsTheFirstStream) {
+    Material material;
+    material.baseColorTexture = {.texture = 0, .uvSet = 1};
+    const MaterialPlan plan = planMaterial(sceneWith(material), 0, kAll);
+    EXPECT_EQ(plan.permutation.baseColorUv, UvStream::Uv0);
+    EXPECT_EQ(plan.uvSets[0], 1);
+}
+
+TEST(MaterialPlan, AThirdStreamIsLeftOutWithAWarning) {
+    Material material;
+    material.name = "greedy";
+    material.baseColorTexture.texture = 0;
+    material.metallicRoughnessTexture = {.texture = 1, .uvSet = 1};
+    material.occlusionTexture = {.texture = 2, .transform = doubled(), .transformed = true};
+    std::string said;
+    const Log log = [&](LogLevel, std::string_view message) { said += message; };
+    EXPECT_EQ(nameOf(material, kAll, log), "basecolor.metalrough.metalrough-uv1+ambient+sun1");
+    EXPECT_NE(said.find("greedy"), std::string::npos);
+    EXPECT_NE(said.find("occlusion"), std::string::npos);
+}
+
+TEST(MaterialPlan, TexturesWithoutCoordinatesAreLeftOut) {
+    Material material;
+    material.baseColorTexture.texture = 0;
+    material.normalTexture.texture = 1;
+    EXPECT_EQ(nameOf(material, {}), "ambient+sun1");
+    EXPECT_EQ(nameOf(material, {.uv = {true, false}}), "basecolor+ambient+sun1");
+}
+
+TEST(MaterialPlan, UnlitNeedsNoLight) {
+    Material material;
+    material.unlit = true;
+    material.normalTexture = {.texture = 1, .transform = doubled(), .transformed = true};
+    EXPECT_EQ(nameOf(material), "unlit");
+}
+
+TEST(ProgramUses, OfASceneAreListedOnce) {
+    SceneBuilder builder;
+    const int plain = builder.addMaterial({});
+    Material grey;
+    grey.baseColor = glm::vec4(0.5f);
+    const int other = builder.addMaterial(grey);
+    builder.add(square(), plain);
+    builder.add(square(), other);
+    const auto uses = usesOf(builder.scene, {}, {});
+    ASSERT_TRUE(uses);
+    EXPECT_EQ(uses->size(), 1u);
+}
+
+TEST(LightingOf, TakesFourOfEachAndWarns) {
+    Scene scene;
+    scene.lights.resize(6);
+    scene.lights.emplace_back().kind = Light::Kind::Spot;
+    int warnings = 0;
+    const Lighting lighting = lightingOf(scene, [&](LogLevel, std::string_view) { ++warnings; });
+    EXPECT_EQ(lighting.suns.size(), 4u);
+    ASSERT_EQ(lighting.lamps.size(), 1u);
+    EXPECT_TRUE(lighting.lamps[0].spot);
+    EXPECT_EQ(warnings, 1);
+}
+
+TEST(Viewpoint, AFramedBoxIsAllInView) {
+    for (const double aspect : {0.5, 1.0, 2.0}) {
+        const Box box{{-3, 1, -2}, {5, 2, 9}};
+        const Viewpoint viewpoint = viewpointOf(framingCamera(box, aspect), aspect);
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec4 point(corner & 1 ? box.min.x : box.max.x, corner & 2 ? box.min.y : box.max.y,
+                                   corner & 4 ? box.min.z : box.max.z, 1);
+            const glm::dvec4 clip = viewpoint.viewProjection * point;
+            EXPECT_LE(std::max({std::abs(clip.x), std::abs(clip.y), std::abs(clip.z)}), clip.w) << aspect;
+        }
+    }
+}
+
+TEST(Viewpoint, ANarrowTargetSeesTheWholeWidthOfTheCamera) {
+    Camera camera;
+    camera.aspectRatio = 2;
+    const double edge = 2 * std::tan(0.5 * camera.yfov);
+    const glm::dvec4 clip = viewpointOf(camera, 1).viewProjection * glm::dvec4(edge, 0, -1, 1);
+    EXPECT_NEAR(clip.x / clip.w, 1, 1e-6);
+}
+
+TEST(Viewpoint, CornersOfTheScreenLookWhereTheyShow) {
+    Camera camera;
+    camera.world = glm::rotate(glm::mat4(1), 0.7f, glm::normalize(glm::vec3(1, 2, 3)));
+    const Viewpoint viewpoint = viewpointOf(camera, 1.5);
+    const glm::dvec3 direction = viewpoint.clipToSky * glm::dvec3(1, -1, 1);
+    const glm::dvec4 clip = viewpoint.viewProjection * glm::dvec4(direction, 1);
+    EXPECT_NEAR(clip.x / clip.w, 1, 1e-6);
+    EXPECT_NEAR(clip.y / clip.w, -1, 1e-6);
+}
+
+} // namespace
+} // namespace franken::test
