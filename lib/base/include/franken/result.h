@@ -40,13 +40,14 @@ public:
     bool has_value() const { return m_state.index() == 0; }
     explicit operator bool() const { return has_value(); }
 
-    /// The value; calling it where has_value() is false is a bug.
+    /// The value; calling it where has_value() is false is a bug. That of a temporary is returned by value, so
+    /// that `for (const auto& entry : *list())` runs over something that lives.
     T& value() & { return *present(std::get_if<0>(&m_state)); }
     const T& value() const& { return *present(std::get_if<0>(&m_state)); }
-    T&& value() && { return std::move(*present(std::get_if<0>(&m_state))); }
+    T value() && { return std::move(*present(std::get_if<0>(&m_state))); }
     T& operator*() & { return value(); }
     const T& operator*() const& { return value(); }
-    T&& operator*() && { return std::move(*this).value(); }
+    T operator*() && { return std::move(*this).value(); }
     T* operator->() { return &value(); }
     const T* operator->() const { return &value(); }
 

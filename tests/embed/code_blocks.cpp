@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// code_blocks PAGE.md OUT_DIR: writes each C++ block of the page to OUT_DIR/HEADING.inc, for a test that
+// includes it. HEADING is the heading above the block, in lower case with dashes ("a-sky"); a second block under
+// one heading gets "-2". Compilers then name the page and its line in their messages.
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string slugOf(const std::string& heading) {
+    std::string slug;
+    for (const char c : heading.substr(heading.find_first_not_of("# ")))
+        slug += std::isalnum(static_cast<unsigned char>(c))
+                    ? static_cast<char>(std::tolower(static_cast<unsigned char>(c)))
+                    : '-';
+    return slug;
+}
+
+/// How many blocks were written.
+int writeBlocks(const fs::path& page, const fs::path& folder) {
+    std::ifstream in(page);
+    std::ofstream block;
+    std::string heading;
+    std::map<std::string, int> under;
+    int line = 0, written = 0;
+    bool inCode = false;
+    for (std::string text; std::getline(in, text);) {
+        ++line;
+        if (text.starts_with("```")) {
+            if (!inCode && text == "```cpp") {
+                const int number = ++under[heading];
+                const std::string name = slugOf(heading) + (number > 1 ? "-" + std::to_string(number) : "");
+                block.open(folder / (name + ".inc"));
+                block << "#line " << line + 1 << " \"" << page.string() << "\"\n";
+                ++written;
+            } else if (block.is_open()) {
+                block.close();
+            }
+            inCode = !inCode;
+        } else if (block.is_open()) {
+            block << text << "\n";
+        } else if (!inCode && text.starts_with("#")) {
+            heading = text;
+        }
+    }
+    return written;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        std::cerr << "usage: code_blocks PAGE.md OUT_DIR\n";
+        return 2;
+    }
+    fs::create_directories(argv[2]);
+    const int written = writeBlocks(argv[1], argv[2]);
+    std::cout << written << " blocks of " << argv[1] << "\n";
+    return written > 0 ? 0 : 1;
+}

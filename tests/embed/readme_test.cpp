@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The C++ of README.md and generator/README.md, compiled and run as it is printed. What a block takes for
+// granted is declared above it.
+#include "franken/baked_sky.h"
+#include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
+#include "franken/manifest.h"
+#include "support/draw_scene.h"
+#include "support/shapes.h"
+#include "support/shell.h"
+
+namespace franken::test {
+namespace {
+
+/// The process works there for a while: blocks name files as a reader would.
+class WorkingFolder {
+public:
+    explicit WorkingFolder(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }
+    ~WorkingFolder() { std::filesystem::current_path(m_before); }
+    WorkingFolder(const WorkingFolder&) = delete;
+    WorkingFolder& operator=(const WorkingFolder&) = delete;
+
+private:
+    std::filesystem::path m_before = std::filesystem::current_path();
+};
+
+void report(const Error& error) { FAIL() << toString(error); }
+
+template<typename Value>
+void report(const Result<Value>& result) {
+    if (!result)
+        report(result.error());
+}
+
+class Readme : public PictureTest {
+protected:
+    Readme() : PictureTest({32, 32}) {
+        m_builder.add(square(), m_builder.addMaterial({}));
+        m_builder.addSun({0, 0, -1}, {1, 1, 1}, 1);
+    }
+
+    const Scene& scene() const { return m_builder.scene; }
+    DrawTarget target() { return {surface().framebuffer(), 32, 32}; }
+
+private:
+    SceneBuilder m_builder;
+};
+
+INSTANTIATE_TEST_SUITE_P(Backends, Readme, allBackends(), backendName);
+
+TEST(GeneratorReadme, ComposesAProgramFromItsName) {
+#include "blocks/generator/the-generator.inc"
+    EXPECT_NE(program.vertex.text.find("void main()"), std::string::npos);
+    EXPECT_NE(program.fragment.text.find("gl_FragColor"), std::string::npos);
+}
+
+TEST_P(Readme, ASkyLightsAndIsSeen) {
+    const std::filesystem::path folder = emptyTestFolder();
+    ASSERT_EQ(runIn(folder, MAKE_MODEL " lake.hdr && " BAKE " lake.hdr --sun -o lake.sky").code, 0);
+    const WorkingFolder there(folder);
+    Renderer renderer(gl());
+    ASSERT_TRUE(renderer.load(scene()));
+    Lighting lighting;
+#include "blocks/a-sky.inc"
+    ASSERT_TRUE(sky->sun);
+    EXPECT_EQ(lighting.suns.size(), 1u);
+    renderer.setLighting(lighting);
+    const Camera camera = framingCamera(scene().bounds(), 1);
+    ASSERT_TRUE(renderer.draw(viewpointOf(camera, 1), target()));
+    const ReadBack picture = readBack();
+    EXPECT_GT(picture.pixel(16, 16)[1], 0) << "the sky lights the square";
+    EXPECT_GT(picture.pixel(0, 0)[2], 0) << "the sky is behind it";
+}
+
+TEST_P(Readme, AKioskWarmsUpFromItsManifestAndKeepsItsMisses) {
+    const std::filesystem::path stateFolder = emptyTestFolder();
+    const Log log;
+    const Look look;
+    std::vector<Lighting> lightsOnAndOff(2);
+    lightsOnAndOff[1] = lightingOf(scene());
+    std::size_t steps = 0;
+    const auto showProgress = [&](std::size_t, std::size_t) { ++steps; };
+    Renderer renderer(gl());
+    ASSERT_TRUE(renderer.load(scene()));
+    const Scene& scene = this->scene();
+    const DrawTarget target = this->target();
+    const auto run = [&] {
+#include "blocks/months-without-a-stutter.inc"
+        return uses.size();
+    };
+    EXPECT_EQ(run(), 2u) << "at the first start there is no manifest: what the scene needs, lit and unlit";
+    EXPECT_GT(steps, 0u);
+
+    renderer.setLighting(lightsOnAndOff[1]);
+    renderer.setLook({.toneMap = ToneMap::Neutral}); // Nobody warmed this up: a miss.
+    ASSERT_TRUE(renderer.draw(viewpointOf(framingCamera(scene.bounds(), 1), 1), target));
+    run();
+    EXPECT_EQ(run(), 3u) << "the next start knows what was missed";
+}
+
+} // namespace
+} // namespace franken::test
