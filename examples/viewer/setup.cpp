@@ -71,12 +71,13 @@ Result<Lighting> chooseLighting(const Scene& scene, const BakedSky* sky, const O
     if (sky) {
         lighting.ambient = Ambient::Sky;
         lighting.sky = sky->coefficients;
-        lighting.skySpecular = SkySpecular::Lookup;
+        lighting.reflection = Reflection::Lookup;
     } else if (options.ambient) {
         lighting.ambient = Ambient::Color;
         lighting.ambientColor = *options.ambient;
     }
-    const bool dark = lighting.suns.empty() && lighting.lamps.empty() && lighting.ambient == Ambient::None;
+    const bool dark =
+        lighting.suns.empty() && lighting.punctualLights.empty() && lighting.ambient == Ambient::None;
     if (dark)
         addDefaultLight(lighting);
     return lighting;

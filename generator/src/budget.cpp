@@ -153,7 +153,7 @@ int usedOf(const Interface& interface, Resource resource) {
         break;
     }
     const auto isLight = [](const Uniform& uniform) {
-        return (uniform.name.starts_with("uSun") || uniform.name.starts_with("uLamp")) &&
+        return (uniform.name.starts_with("uSun") || uniform.name.starts_with("uPunctual")) &&
                uniform.name.ends_with("Radiance");
     };
     return static_cast<int>(std::count_if(interface.uniforms.begin(), interface.uniforms.end(), isLight));

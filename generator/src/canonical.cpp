@@ -49,9 +49,11 @@ std::string reasonFor(const Permutation& p, const Choice& choice) {
     if (p.shading == Shading::Unlit)
         return "an unlit surface shows its base colour alone";
     if (choice.name == "lightVectors")
-        return p.lamps > 0 ? "lamps are lit per pixel, and suns beside them too" : "there is no sun";
-    if (p.suns + p.lamps == 0)
-        return p.ambient == Ambient::None ? "there is nothing to light it" : "there is no sun and no lamp";
+        return p.punctualLights > 0 ? "punctual lights are lit per pixel, and suns beside them too"
+                                    : "there is no sun";
+    if (p.suns + p.punctualLights == 0)
+        return p.ambient == Ambient::None ? "there is nothing to light it"
+                                          : "there is no sun and no punctual light";
     return "no line of this program depends on it";
 }
 
@@ -100,11 +102,11 @@ constexpr Rule kRules[] = {
     {"emissiveUv",
      [](const Permutation& p) { return p.emissiveUv == kUv1 && p.emissive != Emissive::Texture; },
      "there is no emissive texture", "add 'emissive', or drop the word"},
-    {"skySpecular",
-     [](const Permutation& p) { return p.skySpecular != SkySpecular::None && p.ambient != Ambient::Sky; },
-     "there is no sky to be mirrored", "add 'sh', or drop the word"},
-    {"spots", [](const Permutation& p) { return p.spots && p.lamps == 0; }, "there is no lamp",
-     "add 'lamp1', or drop the word"},
+    {"reflection",
+     [](const Permutation& p) { return p.reflection != Reflection::None && p.ambient != Ambient::Sky; },
+     "there is no sky to reflect", "add 'sh', or drop the word"},
+    {"spots", [](const Permutation& p) { return p.spots && p.punctualLights == 0; },
+     "there is no punctual light", "add 'punctual1', or drop the word"},
 };
 
 std::optional<Error> findContradiction(const Permutation& p) {

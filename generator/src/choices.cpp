@@ -53,24 +53,25 @@ constexpr Option kUv0Transform[] = {{"uv0-plain", "stream 0 as it is"},
                                     {"uv0-transform", "stream 0 through a KHR_texture_transform matrix"}};
 constexpr Option kUv1Transform[] = {{"uv1-plain", "stream 1 as it is"},
                                     {"uv1-transform", "stream 1 through a KHR_texture_transform matrix"}};
-constexpr Option kShading[] = {{"lit", "lit by ambient light, suns and lamps"},
+constexpr Option kShading[] = {{"lit", "lit by ambient light, suns and punctual lights"},
                                {"unlit", "base colour alone (KHR_materials_unlit)"}};
 constexpr Option kAmbient[] = {{"no-ambient", "no ambient light"},
                                {"ambient", "one colour from everywhere"},
                                {"sh", "a sky's irradiance, nine SH coefficients"}};
-constexpr Option kSkySpecular[] = {{"no-mirror", "the sky lights, and is not mirrored"},
-                                   {"mirror", "rough mirrors show the sky: filtered levels and a lookup"}};
+constexpr Option kReflection[] = {{"no-reflection", "the sky lights, and is not reflected"},
+                                  {"reflection", "rough mirrors show the sky: filtered levels and a lookup"}};
 constexpr Option kSuns[] = {{"sun0", "no sun"},
                             {"sun1", "one sun"},
                             {"sun2", "two suns"},
                             {"sun3", "three suns"},
                             {"sun4", "four suns"}};
-constexpr Option kLamps[] = {{"lamp0", "no lamp"},
-                             {"lamp1", "one lamp (a light with a position)"},
-                             {"lamp2", "two lamps"},
-                             {"lamp3", "three lamps"},
-                             {"lamp4", "four lamps"}};
-constexpr Option kSpots[] = {{"points", "lamps shine everywhere"}, {"spots", "lamps may have cones"}};
+constexpr Option kPunctualLights[] = {{"punctual0", "no punctual light"},
+                                      {"punctual1", "one point or spot light"},
+                                      {"punctual2", "two point or spot lights"},
+                                      {"punctual3", "three point or spot lights"},
+                                      {"punctual4", "four point or spot lights"}};
+constexpr Option kSpots[] = {{"points", "point lights: punctual lights shine everywhere"},
+                             {"spots", "punctual lights may have cones"}};
 constexpr Option kLightVectors[] = {{"pixellight", "light vectors per pixel, exact"},
                                     {"vertexlight", "light vectors per vertex, cheaper"}};
 constexpr Option kBrdf[] = {{"gltf", "glTF 2.0, appendix B"},
@@ -120,9 +121,9 @@ constexpr std::array kChoices = {
     choice<&Permutation::uv1Transform>("uv1Transform", true, 20, 1, kUv1Transform),
     choice<&Permutation::shading>("shading", true, 21, 1, kShading),
     choice<&Permutation::ambient>("ambient", false, 22, 2, kAmbient),
-    choice<&Permutation::skySpecular>("skySpecular", false, 53, 2, kSkySpecular),
+    choice<&Permutation::reflection>("reflection", false, 53, 2, kReflection),
     choice<&Permutation::suns>("suns", false, 24, 3, kSuns),
-    choice<&Permutation::lamps>("lamps", false, 27, 3, kLamps),
+    choice<&Permutation::punctualLights>("punctualLights", false, 27, 3, kPunctualLights),
     choice<&Permutation::spots>("spots", false, 30, 1, kSpots),
     choice<&Permutation::lightVectors>("lightVectors", false, 31, 1, kLightVectors),
     choice<&Permutation::brdf>("brdf", false, 32, 2, kBrdf),

@@ -32,8 +32,8 @@ constexpr std::array<Slot, 10> kSamplers = {{{"uBaseColorTexture", 0},
                                              {"uOcclusionTexture", 4},
                                              {"uEmissiveTexture", 5},
                                              {"uSkyTexture", 6},
-                                             {"uSpecularSky", 6},
-                                             {"uSpecularLookup", 7}}};
+                                             {"uReflectionTexture", 6},
+                                             {"uReflectionLookup", 7}}};
 
 template<std::size_t Size>
 int find(const std::array<Slot, Size>& slots, std::string_view name) {

@@ -13,13 +13,13 @@ using Change = void (*)(Permutation&);
 
 void keepTwoLightsOfEach(Permutation& p) {
     p.suns = std::min<std::uint8_t>(p.suns, 2);
-    p.lamps = std::min<std::uint8_t>(p.lamps, 2);
+    p.punctualLights = std::min<std::uint8_t>(p.punctualLights, 2);
 }
 
 void keepOneLight(Permutation& p) {
     p.suns = std::min<std::uint8_t>(p.suns, 1);
-    p.lamps = p.suns > 0 ? 0 : std::min<std::uint8_t>(p.lamps, 1);
-    p.spots = p.spots && p.lamps > 0;
+    p.punctualLights = p.suns > 0 ? 0 : std::min<std::uint8_t>(p.punctualLights, 1);
+    p.spots = p.spots && p.punctualLights > 0;
 }
 
 void dropRelief(Permutation& p) {
@@ -49,7 +49,7 @@ constexpr Change kRungs[] = {
     [](Permutation& p) { p.dither = Dither::None; },
     keepTwoLightsOfEach,
     keepOneLight,
-    [](Permutation& p) { p.skySpecular = SkySpecular::None; },
+    [](Permutation& p) { p.reflection = Reflection::None; },
     dropRelief,
     useFactors,
     dropLight,

@@ -5,14 +5,14 @@ namespace franken {
 namespace {
 
 constexpr std::string_view kSuns[] = {"Sun0", "Sun1", "Sun2", "Sun3"};
-constexpr std::string_view kLamps[] = {"Lamp0", "Lamp1", "Lamp2", "Lamp3"};
+constexpr std::string_view kPunctualLights[] = {"Punctual0", "Punctual1", "Punctual2", "Punctual3"};
 constexpr std::string_view kLanes[] = {"x", "y", "z", "w"};
 constexpr std::string_view kUvs[] = {"vUv0", "vUv1"};
 
 std::string_view replacement(Placeholder placeholder, const Step& step) {
     switch (placeholder) {
     case Placeholder::Light:
-        return recipe()[step.row].each == Each::Lamp ? kLamps[step.light] : kSuns[step.light];
+        return recipe()[step.row].each == Each::Punctual ? kPunctualLights[step.light] : kSuns[step.light];
     case Placeholder::Lane:
         return kLanes[step.light];
     case Placeholder::Uv:

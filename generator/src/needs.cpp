@@ -16,20 +16,20 @@ bool reads(const Permutation& p, const Needs& n, UvStream stream) {
 
 void findLight(const Permutation& p, Needs& n) {
     const bool lit = n.material && n.shaded && p.shading == Shading::Lit;
-    n.direct = lit && p.suns + p.lamps > 0;
+    n.direct = lit && p.suns + p.punctualLights > 0;
     n.ambient = lit && p.ambient != Ambient::None;
     n.skyLit = n.ambient && p.ambient == Ambient::Sky;
-    n.mirror = n.ambient && p.skySpecular != SkySpecular::None;
+    n.reflection = n.ambient && p.reflection != Reflection::None;
     n.emissive = lit && p.emissive != Emissive::None;
     n.occlusion = (n.ambient || (n.material && p.view == View::Occlusion)) && p.occlusion != Occlusion::None;
     n.normal = n.direct || n.skyLit || (n.material && p.view == View::Normal);
     n.normalMap = n.normal && p.normal == Normal::Map;
     n.turned = n.normal && p.sides == Sides::Double;
-    n.vertexSuns = n.direct && p.lightVectors == LightVectors::PerVertex && p.lamps == 0;
+    n.vertexSuns = n.direct && p.lightVectors == LightVectors::PerVertex && p.punctualLights == 0;
     n.tangentSpace =
         n.vertexSuns && n.normalMap && p.suns <= 2 && !n.skyLit && !(n.turned && p.facingWorkaround);
-    n.fewSuns = n.direct && !n.vertexSuns && p.suns <= 2 && p.lamps == 0 && !n.skyLit;
-    n.toCamera = n.direct || n.mirror || (n.turned && p.facingWorkaround);
+    n.fewSuns = n.direct && !n.vertexSuns && p.suns <= 2 && p.punctualLights == 0 && !n.skyLit;
+    n.toCamera = n.direct || n.reflection || (n.turned && p.facingWorkaround);
 }
 
 void findMaterial(const Permutation& p, Needs& n) {
@@ -39,7 +39,7 @@ void findMaterial(const Permutation& p, Needs& n) {
     n.color = unlit || overlay || looked || n.direct || n.ambient;
     n.base = n.color || (n.material && p.alpha != Alpha::Opaque);
     n.metallic = n.direct || n.skyLit || (n.material && p.view == View::RoughnessMetallic);
-    n.roughness = n.direct || n.mirror || (n.material && p.view == View::RoughnessMetallic);
+    n.roughness = n.direct || n.reflection || (n.material && p.view == View::RoughnessMetallic);
     n.textured = p.metallicRoughness != MetallicRoughness::Factors;
 }
 

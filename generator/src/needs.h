@@ -9,12 +9,12 @@ namespace franken {
 struct Needs {
     bool material;     ///< A surface, rather than the sky or an overlay.
     bool shaded;       ///< The picture is wanted, not a look into the material.
-    bool direct;       ///< Suns or lamps shine.
+    bool direct;       ///< Suns or punctual lights shine.
     bool ambient;      ///< Ambient light, of either kind.
     bool skyLit;       ///< ... of a sky.
     bool color;        ///< The base colour's RGB is read.
     bool base;         ///< The base colour's RGB or alpha is read.
-    bool mirror;       ///< The sky's mirror image.
+    bool reflection;   ///< The sky's reflection.
     bool normal;       ///< A normal per pixel.
     bool normalMap;    ///< ... from a map.
     bool tangentSpace; ///< Suns are brought into tangent space, per vertex.

@@ -67,7 +67,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
             .metallicRoughness = {factors.metallic, factors.roughness},
             .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
-            .specularLobe = {factors.roughness, bend, 2 - bend},
+            .reflectionLobe = {factors.roughness, bend, 2 - bend},
             .occlusion = {factors.occlusionStrength, 1 - factors.occlusionStrength},
             .emissive = emissive,
             .emissiveCubic = {scaled(emissive, kDecodeCubic[0]), scaled(emissive, kDecodeCubic[1]),
@@ -98,16 +98,17 @@ void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposu
     block.sunRadiance[index] = scaled(sun.color, sun.illuminance * kInversePi * exposure);
 }
 
-void packLamp(LightsBlock& block, std::size_t index, const Lamp& lamp, const Float3& camera, float exposure) {
+void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLight& light,
+                       const Float3& camera, float exposure) {
     assert(index < Permutation::kMaxLights);
-    const float inverseRange2 = lamp.range > 0 ? 1 / (lamp.range * lamp.range) : 0;
-    block.lampPosition[index] = {lamp.position[0] - camera[0], lamp.position[1] - camera[1],
-                                 lamp.position[2] - camera[2], inverseRange2};
-    block.lampRadiance[index] = scaled(lamp.color, lamp.intensity * kInversePi * exposure);
-    block.lampAxis[index] = unit(lamp.direction);
-    const float cosOuter = std::cos(lamp.outerCone);
-    const float scale = 1 / std::max(0.001f, std::cos(lamp.innerCone) - cosOuter);
-    block.lampCone[index] = lamp.spot ? Float2{scale, -cosOuter * scale} : Float2{0, 1};
+    const float inverseRange2 = light.range > 0 ? 1 / (light.range * light.range) : 0;
+    block.punctualPosition[index] = {light.position[0] - camera[0], light.position[1] - camera[1],
+                                     light.position[2] - camera[2], inverseRange2};
+    block.punctualRadiance[index] = scaled(light.color, light.intensity * kInversePi * exposure);
+    block.punctualAxis[index] = unit(light.direction);
+    const float cosOuter = std::cos(light.outerCone);
+    const float scale = 1 / std::max(0.001f, std::cos(light.innerCone) - cosOuter);
+    block.punctualCone[index] = light.spot ? Float2{scale, -cosOuter * scale} : Float2{0, 1};
 }
 
 Float3 packDither(const std::array<int, 3>& bits) {
@@ -127,22 +128,22 @@ constexpr Field kFields[] = {
     {Block::Frame, "uCameraPosition", offsetof(FrameBlock, cameraPosition)},
     {Block::Frame, "uClipToSky", offsetof(FrameBlock, clipToSky)},
     {Block::Frame, "uSkyRange", offsetof(FrameBlock, skyRange)},
-    {Block::Frame, "uSpecularScale", offsetof(FrameBlock, specularScale)},
+    {Block::Frame, "uReflectionScale", offsetof(FrameBlock, reflectionScale)},
     {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
     {Block::Lights, "uAmbient", offsetof(LightsBlock, ambient)},
     {Block::Lights, "uSky", offsetof(LightsBlock, sky)},
     {Block::Lights, "uSun#Direction", offsetof(LightsBlock, sunDirection)},
     {Block::Lights, "uSun#Radiance", offsetof(LightsBlock, sunRadiance)},
-    {Block::Lights, "uLamp#Position", offsetof(LightsBlock, lampPosition)},
-    {Block::Lights, "uLamp#Radiance", offsetof(LightsBlock, lampRadiance)},
-    {Block::Lights, "uLamp#Axis", offsetof(LightsBlock, lampAxis)},
-    {Block::Lights, "uLamp#Cone", offsetof(LightsBlock, lampCone)},
+    {Block::Lights, "uPunctual#Position", offsetof(LightsBlock, punctualPosition)},
+    {Block::Lights, "uPunctual#Radiance", offsetof(LightsBlock, punctualRadiance)},
+    {Block::Lights, "uPunctual#Axis", offsetof(LightsBlock, punctualAxis)},
+    {Block::Lights, "uPunctual#Cone", offsetof(LightsBlock, punctualCone)},
     {Block::Material, "uBaseColor", offsetof(MaterialBlock, baseColor)},
     {Block::Material, "uBaseColorCubic", offsetof(MaterialBlock, baseColorCubic)},
     {Block::Material, "uMetallicRoughness", offsetof(MaterialBlock, metallicRoughness)},
     {Block::Material, "uReflectance", offsetof(MaterialBlock, reflectance)},
     {Block::Material, "uLobe", offsetof(MaterialBlock, lobe)},
-    {Block::Material, "uSpecularLobe", offsetof(MaterialBlock, specularLobe)},
+    {Block::Material, "uReflectionLobe", offsetof(MaterialBlock, reflectionLobe)},
     {Block::Material, "uOcclusion", offsetof(MaterialBlock, occlusion)},
     {Block::Material, "uEmissive", offsetof(MaterialBlock, emissive)},
     {Block::Material, "uEmissiveCubic", offsetof(MaterialBlock, emissiveCubic)},

@@ -15,7 +15,7 @@ constexpr Stage kFragment = Stage::Fragment;
 
 bool pixelLight(N n) { return n.direct && !n.vertexSuns; }
 bool manyAngles(N n) { return pixelLight(n) && !n.fewSuns; }
-bool eye(N n) { return (n.direct || n.mirror) && !n.vertexSuns && !n.fewSuns; }
+bool eye(N n) { return (n.direct || n.reflection) && !n.vertexSuns && !n.fewSuns; }
 bool worldSuns(N n) { return n.vertexSuns && !n.tangentSpace; }
 bool frame(N n) { return n.normalMap && !n.tangentSpace; }
 bool packed(P p) { return p.metallicRoughness == MetallicRoughness::Packed; }
@@ -40,13 +40,13 @@ bool looseLengths(P p, N n) { return p.target == Target::Vc4 && !exactLengths(n)
 bool anglesByLogarithms(P p) { return p.target == Target::Vc4 && p.brdf != Brdf::Seed; }
 // Where it was found to pay (README.md, One division a light).
 bool lobeByLogarithms(P p, N n) {
-    const bool shorter = n.tangentSpace || (manyAngles(n) && n.mirror);
+    const bool shorter = n.tangentSpace || (manyAngles(n) && n.reflection);
     return p.target == Target::Vc4 && uses<Brdf::Gltf>(p, n) && shorter;
 }
 bool roots(P p, N n) {
     return n.fewSuns || (manyAngles(n) && !anglesByLogarithms(p)) || uses<Brdf::Gltf>(p, n);
 }
-bool inverses(P p, N n) { return n.mirror || (n.direct && !lobeByLogarithms(p, n)); }
+bool inverses(P p, N n) { return n.reflection || (n.direct && !lobeByLogarithms(p, n)); }
 template<Brdf B>
 bool usesTextures(P p, N n) {
     return uses<B>(p, n) && n.textured;
@@ -139,9 +139,9 @@ constexpr std::array kRecipe = {
         &Permutation::metallicRoughnessUv},
     Row{kFragment, "occlusion", [](P p, N n) { return n.occlusion && p.occlusion == Occlusion::Texture; },
         Each::Once, &Permutation::occlusionUv},
-    Row{kFragment, "occlusion_packed", [](P p, N n) { return packedOcclusion(p, n) && !n.mirror; }},
+    Row{kFragment, "occlusion_packed", [](P p, N n) { return packedOcclusion(p, n) && !n.reflection; }},
 
-    Row{kFragment, "sky_irradiance", [](P, N n) { return n.mirror; }},
+    Row{kFragment, "sky_irradiance", [](P, N n) { return n.reflection; }},
     Row{kFragment, "surface", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed; }},
     Row{kFragment, "surface.seed", uses<Brdf::Seed>},
     Row{kFragment, "gltf", [](P p, N n) { return uses<Brdf::Gltf>(p, n) && !lobeByLogarithms(p, n); }},
@@ -149,10 +149,10 @@ constexpr std::array kRecipe = {
     Row{kFragment, "seed", uses<Brdf::Seed>},
     Row{kFragment, "fast", uses<Brdf::Fast>},
     Row{kFragment, "schlick", uses<Brdf::Schlick>},
-    Row{kFragment, "add_light", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed && !n.mirror; }},
-    Row{kFragment, "add_light.mirror", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed && n.mirror; }},
-    Row{kFragment, "add_light.seed", [](P p, N n) { return uses<Brdf::Seed>(p, n) && !n.mirror; }},
-    Row{kFragment, "add_light.seed.mirror", [](P p, N n) { return uses<Brdf::Seed>(p, n) && n.mirror; }},
+    Row{kFragment, "add_light", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed && !n.reflection; }},
+    Row{kFragment, "add_light.reflection", [](P p, N n) { return n.direct && p.brdf != Brdf::Seed && n.reflection; }},
+    Row{kFragment, "add_light.seed", [](P p, N n) { return uses<Brdf::Seed>(p, n) && !n.reflection; }},
+    Row{kFragment, "add_light.seed.reflection", [](P p, N n) { return uses<Brdf::Seed>(p, n) && n.reflection; }},
     Row{kFragment, "reflectance_uniform", [](P, N n) { return reflectance(n); }},
     Row{kFragment, "surface_factors",
         [](P p, N n) { return n.direct && !n.textured && p.brdf != Brdf::Seed; }},
@@ -164,12 +164,12 @@ constexpr std::array kRecipe = {
 
     Row{kFragment, "dark", [](P, N n) { return n.direct && !n.ambient; }},
     Row{kFragment, "ambient_color", [](P p, N n) { return n.ambient && p.ambient == Ambient::Color; }},
-    Row{kFragment, "ambient_sky", [](P, N n) { return n.skyLit && !n.mirror; }},
-    Row{kFragment, "sky_atlas", [](P, N n) { return n.mirror; }},
-    Row{kFragment, "sky_reflectance.factors", [](P, N n) { return n.skyLit && !n.mirror && !n.textured; }},
-    Row{kFragment, "sky_reflectance", [](P, N n) { return n.skyLit && !n.mirror && n.textured; }},
-    Row{kFragment, "occlude", [](P, N n) { return n.ambient && n.occlusion && !n.mirror; }},
-    Row{kFragment, "specular", [](P, N n) { return n.direct && !n.mirror; }},
+    Row{kFragment, "ambient_sky", [](P, N n) { return n.skyLit && !n.reflection; }},
+    Row{kFragment, "sky_atlas", [](P, N n) { return n.reflection; }},
+    Row{kFragment, "sky_reflectance.factors", [](P, N n) { return n.skyLit && !n.reflection && !n.textured; }},
+    Row{kFragment, "sky_reflectance", [](P, N n) { return n.skyLit && !n.reflection && n.textured; }},
+    Row{kFragment, "occlude", [](P, N n) { return n.ambient && n.occlusion && !n.reflection; }},
+    Row{kFragment, "specular", [](P, N n) { return n.direct && !n.reflection; }},
     Row{kFragment, "eye", [](P, N n) { return eye(n); }},
     Row{kFragment, "eye.few", [](P p, N n) { return n.fewSuns && p.target != Target::Vc4; }},
     Row{kFragment, "eye.few.vc4", [](P p, N n) { return n.fewSuns && p.target == Target::Vc4; }},
@@ -180,29 +180,29 @@ constexpr std::array kRecipe = {
     Row{kFragment, "sun_angles", [](P, N n) { return worldSuns(n); }},
     Row{kFragment, "sun_tangent_varyings", [](P, N n) { return n.tangentSpace; }, Each::Sun},
     Row{kFragment, "tangent_angles", [](P, N n) { return n.tangentSpace; }},
-    Row{kFragment, "eye_vertex", [](P, N n) { return n.mirror && n.vertexSuns; }},
-    Row{kFragment, "sky_specular.factors", [](P, N n) { return n.mirror && !n.textured; }},
-    Row{kFragment, "sky_specular", [](P, N n) { return n.mirror && n.textured; }},
+    Row{kFragment, "eye_vertex", [](P, N n) { return n.reflection && n.vertexSuns; }},
+    Row{kFragment, "sky_specular.factors", [](P, N n) { return n.reflection && !n.textured; }},
+    Row{kFragment, "sky_specular", [](P, N n) { return n.reflection && n.textured; }},
     // Late: while the lookup is waited for, the packed texel takes a register already.
-    Row{kFragment, "occlusion_packed", [](P p, N n) { return packedOcclusion(p, n) && n.mirror; }},
-    Row{kFragment, "occlude.mirror", [](P, N n) { return n.mirror && n.occlusion; }},
-    Row{kFragment, "sky_sum", [](P, N n) { return n.mirror; }},
-    Row{kFragment, "sun", [](P, N n) { return manyAngles(n) && !n.mirror; }, Each::Sun},
-    Row{kFragment, "sun.mirror", [](P, N n) { return manyAngles(n) && n.mirror; }, Each::Sun},
+    Row{kFragment, "occlusion_packed", [](P p, N n) { return packedOcclusion(p, n) && n.reflection; }},
+    Row{kFragment, "occlude.reflection", [](P, N n) { return n.reflection && n.occlusion; }},
+    Row{kFragment, "sky_sum", [](P, N n) { return n.reflection; }},
+    Row{kFragment, "sun", [](P, N n) { return manyAngles(n) && !n.reflection; }, Each::Sun},
+    Row{kFragment, "sun.reflection", [](P, N n) { return manyAngles(n) && n.reflection; }, Each::Sun},
     Row{kFragment, "sun.few", [](P p, N n) { return n.fewSuns && p.target != Target::Vc4; }, Each::Sun},
     Row{kFragment, "sun.few.vc4", [](P p, N n) { return n.fewSuns && p.target == Target::Vc4; }, Each::Sun},
-    Row{kFragment, "sun_vertex", [](P, N n) { return worldSuns(n) && !n.mirror; }, Each::Sun},
-    Row{kFragment, "sun_vertex.mirror", [](P, N n) { return worldSuns(n) && n.mirror; }, Each::Sun},
+    Row{kFragment, "sun_vertex", [](P, N n) { return worldSuns(n) && !n.reflection; }, Each::Sun},
+    Row{kFragment, "sun_vertex.reflection", [](P, N n) { return worldSuns(n) && n.reflection; }, Each::Sun},
     Row{kFragment, "sun_tangent", [](P, N n) { return n.tangentSpace; }, Each::Sun},
-    Row{kFragment, "lamp_point", [](P p, N n) { return n.direct && p.lamps > 0; }},
-    Row{kFragment, "lamp_cone", [](P p, N n) { return n.direct && p.lamps > 0 && p.spots; }},
-    Row{kFragment, "lamp", [](P, N n) { return n.direct; }, Each::Lamp},
-    Row{kFragment, "lamp_spot", [](P p, N n) { return n.direct && p.spots; }, Each::Lamp},
-    Row{kFragment, "lamp_add", [](P, N n) { return n.direct && !n.mirror; }, Each::Lamp},
-    Row{kFragment, "lamp_add.mirror", [](P, N n) { return n.direct && n.mirror; }, Each::Lamp},
+    Row{kFragment, "punctual_point", [](P p, N n) { return n.direct && p.punctualLights > 0; }},
+    Row{kFragment, "punctual_cone", [](P p, N n) { return n.direct && p.punctualLights > 0 && p.spots; }},
+    Row{kFragment, "punctual", [](P, N n) { return n.direct; }, Each::Punctual},
+    Row{kFragment, "punctual_spot", [](P p, N n) { return n.direct && p.spots; }, Each::Punctual},
+    Row{kFragment, "punctual_add", [](P, N n) { return n.direct && !n.reflection; }, Each::Punctual},
+    Row{kFragment, "punctual_add.reflection", [](P, N n) { return n.direct && n.reflection; }, Each::Punctual},
 
-    Row{kFragment, "shade", [](P, N n) { return n.direct && !n.mirror; }},
-    Row{kFragment, "shade_ambient", [](P, N n) { return n.ambient && !n.direct && !n.mirror; }},
+    Row{kFragment, "shade", [](P, N n) { return n.direct && !n.reflection; }},
+    Row{kFragment, "shade_ambient", [](P, N n) { return n.ambient && !n.direct && !n.reflection; }},
     Row{kFragment, "shade_unlit",
         [](P p, N n) {
             return unlit(p, n) || p.program == Program::Overlay || (n.material && p.view == View::BaseColor);
@@ -253,7 +253,9 @@ static_assert(kRecipe[kVertexRows - 1].stage == kVertex);
 std::size_t firstRow(Stage stage) { return stage == kVertex ? 0 : kVertexRows; }
 std::size_t endRow(Stage stage) { return stage == kVertex ? kVertexRows : kRecipe.size(); }
 
-std::uint8_t count(P p, Each each) { return each == Each::Sun ? p.suns : each == Each::Lamp ? p.lamps : 1; }
+std::uint8_t count(P p, Each each) {
+    return each == Each::Sun ? p.suns : each == Each::Punctual ? p.punctualLights : 1;
+}
 
 template<std::size_t Index>
 void addRow(P p, N n, Outline& outline) {
@@ -264,8 +266,8 @@ void addRow(P p, N n, Outline& outline) {
         outline.readsUv1[Index] = applies && p.*row.uv == UvStream::Uv1;
     if constexpr (row.each == Each::Sun)
         outline.suns = applies ? p.suns : outline.suns;
-    if constexpr (row.each == Each::Lamp)
-        outline.lamps = applies ? p.lamps : outline.lamps;
+    if constexpr (row.each == Each::Punctual)
+        outline.punctualLights = applies ? p.punctualLights : outline.punctualLights;
 }
 
 // Spelt out row by row: no loop and no calls are left, and canonicalising is mostly this.

@@ -10,7 +10,7 @@
 namespace franken {
 
 /// How often a row's snippet stands in the text. Neighbouring rows of the same kind repeat together.
-enum class Each : std::uint8_t { Once, Sun, Lamp };
+enum class Each : std::uint8_t { Once, Sun, Punctual };
 
 /// One row of the recipe: which snippet, in which stage, and when. The rows' order is that of the text.
 struct Row {
@@ -26,16 +26,16 @@ std::span<const Row> recipe();
 /// A row that applies, with what its placeholders stand for.
 struct Step {
     std::uint8_t row;
-    std::uint8_t light; ///< Index of the sun or lamp.
+    std::uint8_t light; ///< Index of the sun or punctual light.
     UvStream uv;
     friend bool operator==(const Step&, const Step&) = default;
 };
 
 /// What tells the plan of one stage from another's, quick to make and to compare.
 struct Outline {
-    std::bitset<192> rows;     ///< Those that apply.
-    std::bitset<192> readsUv1; ///< Those whose ${uv} stands for stream 1.
-    std::uint8_t suns, lamps;  ///< How often their rows repeat; 0 where there are none.
+    std::bitset<192> rows;             ///< Those that apply.
+    std::bitset<192> readsUv1;         ///< Those whose ${uv} stands for stream 1.
+    std::uint8_t suns, punctualLights; ///< How often their rows repeat; 0 where there are none.
     friend bool operator==(const Outline&, const Outline&) = default;
 };
 

@@ -53,7 +53,8 @@ void insertBefore(std::string& text, std::string_view marker, const std::string&
         return;
     std::string piece = glsl;
     if (const Each each = recipe()[step.row].each; each != Each::Once) {
-        replaceAll(piece, "${light}", (each == Each::Lamp ? "Lamp" : "Sun") + std::to_string(step.light));
+        replaceAll(piece, "${light}",
+                   (each == Each::Punctual ? "Punctual" : "Sun") + std::to_string(step.light));
         replaceAll(piece, "${lane}", std::string_view("xyzw").substr(step.light, 1));
     }
     if (recipe()[step.row].uv != nullptr)

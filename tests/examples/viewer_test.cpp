@@ -178,7 +178,7 @@ TEST_F(Viewer, DrawsUnderASkyByOthers) {
     const std::uint8_t* const corner = picture.rgba.data(); // Sky, not background.
     EXPECT_GT(corner[0] + corner[1] + corner[2], 0);
     const std::string programs = run(std::string(kUrn) + " --permutations --skybox " + sky.string()).out;
-    EXPECT_NE(programs.find("+sh+mirror"), std::string::npos) << programs;
+    EXPECT_NE(programs.find("+sh+reflection"), std::string::npos) << programs;
 }
 
 } // namespace

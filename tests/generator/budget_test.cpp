@@ -82,14 +82,14 @@ TEST(Budget, AProfileIsFoundByNameOrTheNamesAreOffered) {
 TEST(Budget, TheCoveringSetFitsThePisButForManyLightsOnVc4) {
     for (const Permutation& permutation : coveringSet()) {
         const Interface interface = compose(permutation).interface;
-        const bool fewLights = permutation.suns + permutation.lamps <= 4;
+        const bool fewLights = permutation.suns + permutation.punctualLights <= 4;
         EXPECT_EQ(budget(interface, profile("vc4")).fits(), fewLights) << toName(permutation);
         EXPECT_TRUE(budget(interface, profile("v3d")).fits()) << toName(permutation);
     }
 }
 
 TEST(Budget, NamesWhatToGiveUp) {
-    const Permutation permutation = named("basecolor+sh+sun4+lamp4+spots");
+    const Permutation permutation = named("basecolor+sh+sun4+punctual4+spots");
     const Budget burst = budget(compose(permutation).interface, profile("es2-minimum"));
     ASSERT_TRUE(burst[Resource::FragmentUniforms].bursts());
     const std::vector<Feature> features = costlyFeatures(permutation, Resource::FragmentUniforms);
@@ -99,7 +99,7 @@ TEST(Budget, NamesWhatToGiveUp) {
         EXPECT_LT(feature.used, burst[Resource::FragmentUniforms].used) << feature.word;
     }
     EXPECT_TRUE(words.count("sh") && words.count("sun4") && words.count("spots"));
-    EXPECT_FALSE(words.count("lamp4")) << "spots need lamps";
+    EXPECT_FALSE(words.count("punctual4")) << "spots need punctual lights";
     EXPECT_TRUE(std::is_sorted(features.begin(), features.end(),
                                [](const Feature& a, const Feature& b) { return a.used < b.used; }));
 }
@@ -121,9 +121,9 @@ std::string reasonOf(const Permutation& permutation, std::string_view snippet) {
 }
 
 TEST(Explain, NamesTheWordsThatBroughtASnippet) {
-    const Permutation permutation = named("basecolor+sun1+lamp1+spots+aces");
+    const Permutation permutation = named("basecolor+sun1+punctual1+spots+aces");
     EXPECT_EQ(reasonOf(permutation, "fragment/base_texture"), "basecolor");
-    EXPECT_EQ(reasonOf(permutation, "fragment/lamp_spot"), "lamp1+spots");
+    EXPECT_EQ(reasonOf(permutation, "fragment/punctual_spot"), "punctual1+spots");
     EXPECT_EQ(reasonOf(permutation, "fragment/gltf"), "sun1 or others");
     EXPECT_EQ(reasonOf(permutation, "fragment/tone_aces"), "aces");
     EXPECT_EQ(reasonOf(permutation, "vertex/position"), "");

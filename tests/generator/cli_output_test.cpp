@@ -73,7 +73,7 @@ TEST_F(CliOutput, ABadLineOfAManifestIsLocatedAndNothingIsWritten) {
 TEST_F(CliOutput, ANameTooLongForAFileBecomesAKey) {
     const std::string name =
         "basecolor.vertexcolor.metalrough-separate.normal.occlusion.emissive.blend.double.basecolor-uv1."
-        "metalrough-uv1.normal-uv1.occlusion-uv1.uv0-transform.uv1-transform+ambient+sun4+lamp4+spots+"
+        "metalrough-uv1.normal-uv1.occlusion-uv1.uv0-transform.uv1-transform+ambient+sun4+punctual4+spots+"
         "schlick+"
         "decode-fast+reinhard+srgb-fast+dither+workaround-facing";
     ASSERT_GT(name.size(), 240U);
@@ -129,7 +129,7 @@ TEST_F(CliOutput, JsonOfEachCommandParses) {
     EXPECT_TRUE(found);
     EXPECT_EQ(runJson("diff sun1 sun1")["same"], true);
     EXPECT_EQ(runJson("diff sun1 sun2", 1)["same"], false);
-    const json checked = runJson("check sh+sun4+lamp4+spots --profile es2-minimum", 1);
+    const json checked = runJson("check sh+sun4+punctual4+spots --profile es2-minimum", 1);
     EXPECT_EQ(checked["findings"][0]["check"], "budget");
     EXPECT_EQ(checked["findings"][0]["where"], "es2-minimum");
 }

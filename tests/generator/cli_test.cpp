@@ -16,7 +16,7 @@ const ExitRow kExits[] = {
     {"diff sun1 sun1", 0, ""},
     {"diff sun1 sun2", 1, ""},
     {"check sun1 --profile all", 0, "1 programs checked, 0 findings"},
-    {"check sh+sun4+lamp4+spots --profile es2-minimum", 1, "1 findings"},
+    {"check sh+sun4+punctual4+spots --profile es2-minimum", 1, "1 findings"},
     {"", 2, "A command"},
     {"lits", 2, "lits"},
     {"list --frobnicate", 2, "--frobnicate"},

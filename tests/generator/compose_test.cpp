@@ -148,7 +148,7 @@ std::string replaceAll(std::string text, std::string_view what, std::string_view
 
 bool isInstanceOf(const std::string& line, const std::string& pattern) {
     for (const std::string uv : {"vUv0", "vUv1"})
-        for (const std::string kind : {"Sun", "Lamp"})
+        for (const std::string kind : {"Sun", "Punctual"})
             for (unsigned light = 0; light < Permutation::kMaxLights; ++light) {
                 std::string text = replaceAll(pattern, "${uv}", uv);
                 text = replaceAll(text, "${light}", kind + std::to_string(light));

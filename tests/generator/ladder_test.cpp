@@ -76,23 +76,24 @@ TEST(Ladder, ASurfaceEndsAtOneColour) {
 
 TEST(Ladder, GivesUpWhatIsSeenLeastFirst) {
     const std::vector<std::string> expected = {
-        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+mirror+sun4+lamp1+aces+dither",
-        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+mirror+sun4+lamp1+aces",
-        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+mirror+sun2+lamp1+aces",
-        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+mirror+sun1+aces",
+        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+reflection+sun4+punctual1+aces+dither",
+        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+reflection+sun4+punctual1+aces",
+        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+reflection+sun2+punctual1+aces",
+        "basecolor.metalrough.normal.occlusion-packed.emissive+sh+reflection+sun1+aces",
         "basecolor.metalrough.normal.occlusion-packed.emissive+sh+sun1+aces",
         "basecolor.metalrough.emissive+sh+sun1+aces",
         "basecolor.emissive-factor+sh+sun1+aces",
         "basecolor.unlit",
         "unlit"};
-    EXPECT_EQ(namesOf(named("basecolor.metalrough.normal.occlusion-packed.emissive+sh+mirror+sun4+lamp1+"
-                            "aces+dither+vc4")),
-              expected);
+    EXPECT_EQ(
+        namesOf(named("basecolor.metalrough.normal.occlusion-packed.emissive+sh+reflection+sun4+punctual1+"
+                      "aces+dither+vc4")),
+        expected);
 }
 
-TEST(Ladder, KeepsALampWhereThereIsNoSun) {
-    EXPECT_EQ(namesOf(named("surface+lamp3+spots")),
-              (std::vector<std::string>{"lamp2+spots", "lamp1+spots", "unlit"}));
+TEST(Ladder, KeepsAPunctualLightWhereThereIsNoSun) {
+    EXPECT_EQ(namesOf(named("surface+punctual3+spots")),
+              (std::vector<std::string>{"punctual2+spots", "punctual1+spots", "unlit"}));
 }
 
 TEST(Ladder, KeepsStreamsThatAreStillRead) {

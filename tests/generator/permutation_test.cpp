@@ -18,7 +18,7 @@ constexpr BadName kBadNames[] = {
     {"", "permutation.unknown-word", "column 1", ""},
     {"basecolor+nromal", "permutation.unknown-word", "column 11", "did you mean 'normal'?"},
     {"basecolour", "permutation.unknown-word", "column 1", "did you mean 'basecolor'?"},
-    {"sun2+lmap1", "permutation.unknown-word", "column 6", "did you mean 'lamp1'?"},
+    {"sun2+puntcual1", "permutation.unknown-word", "column 6", "did you mean 'punctual1'?"},
     {"basecolor..normal", "permutation.unknown-word", "column 11", ""},
     {"basecolor+", "permutation.unknown-word", "column 11", ""},
     {"+basecolor", "permutation.unknown-word", "column 1", ""},
@@ -131,7 +131,7 @@ constexpr Contradiction kContradictions[] = {
     {"normal-uv1+sun1", "normal-uv1"},
     {"metalrough.occlusion-packed.occlusion-uv1+ambient", "occlusion-uv1"},
     {"emissive-factor.emissive-uv1", "emissive-uv1"},
-    {"mirror+ambient+sun1", "mirror"},
+    {"reflection+ambient+sun1", "reflection"},
     {"spots+sun1", "spots"},
 };
 
@@ -171,7 +171,7 @@ const NoOp kNoOps[] = {
      {"normal", "occlusion", "ambient", "sun2", "seed"}},
     {"sky+basecolor.blend+sun1", "sky", {"basecolor", "blend", "sun1"}},
     {"occlusion+sun1", "sun1", {"occlusion"}},
-    {"sun1+lamp1+vertexlight", "sun1+lamp1", {"vertexlight"}},
+    {"sun1+punctual1+vertexlight", "sun1+punctual1", {"vertexlight"}},
     {"basecolor.normal+sun1+view-basecolor", "basecolor.unlit", {"view-basecolor", "normal", "sun1"}},
     {"metalrough.metalrough-uv1.uv1-transform+ambient",
      "ambient",

@@ -86,7 +86,7 @@ std::vector<Permutation> singleFlips(const Permutation& permutation) {
 
 Permutation richSurface() {
     return named("basecolor.vertexcolor.metalrough.normal.occlusion.emissive.mask.double.occlusion-uv1."
-                 "uv0-transform.uv1-transform+sh+sun2+lamp2+spots+aces+dither");
+                 "uv0-transform.uv1-transform+sh+sun2+punctual2+spots+aces+dither");
 }
 
 const std::vector<Permutation>& population() {

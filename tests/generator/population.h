@@ -21,7 +21,7 @@ std::vector<Permutation> singleFlips(const Permutation& permutation);
 /// 2,000 random ones, and the single flips of the default and of a surface where most choices matter.
 const std::vector<Permutation>& population();
 
-/// A surface with textures, suns and lamps, sky, spots and masks.
+/// A surface with textures, suns and punctual lights, sky, spots and masks.
 Permutation richSurface();
 
 /// Canonicalises; a refusal is a bug of the test.

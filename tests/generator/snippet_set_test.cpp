@@ -33,8 +33,9 @@ protected:
 TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {
     const Result<SnippetSet> set = SnippetSet::read(m_folder);
     ASSERT_TRUE(set) << toString(set.error());
-    for (const char* name : {"sun1", "basecolor.normal.metalrough.emissive+sh+sun2+lamp1+spots+aces+dither",
-                             "sky", "overlay", "normal+sun1+vertexlight", "unlit"}) {
+    for (const char* name :
+         {"sun1", "basecolor.normal.metalrough.emissive+sh+sun2+punctual1+spots+aces+dither", "sky",
+          "overlay", "normal+sun1+vertexlight", "unlit"}) {
         const Composed built = compose(permutation(name)), read = compose(permutation(name), *set);
         EXPECT_EQ(built.vertex.text, read.vertex.text) << name;
         EXPECT_EQ(built.fragment.text, read.fragment.text) << name;

@@ -141,7 +141,7 @@ TEST_P(ProgramCacheTest, AnotherThreadIsABug) {
 #endif
 
 TEST_P(ProgramCacheTest, TextsAreComposedInAnyThreadAtATime) {
-    const Permutation permutation = named("basecolor.normal.metalrough+sh+sun2+lamp2+spots+aces");
+    const Permutation permutation = named("basecolor.normal.metalrough+sh+sun2+punctual2+spots+aces");
     const std::string expected = compose(permutation).fragment.text;
     std::vector<std::string> texts(4);
     std::vector<std::thread> threads;

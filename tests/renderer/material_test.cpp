@@ -126,8 +126,8 @@ TEST(LightingOf, TakesFourOfEachAndWarns) {
     int warnings = 0;
     const Lighting lighting = lightingOf(scene, [&](LogLevel, std::string_view) { ++warnings; });
     EXPECT_EQ(lighting.suns.size(), 4u);
-    ASSERT_EQ(lighting.lamps.size(), 1u);
-    EXPECT_TRUE(lighting.lamps[0].spot);
+    ASSERT_EQ(lighting.punctualLights.size(), 1u);
+    EXPECT_TRUE(lighting.punctualLights[0].spot);
     EXPECT_EQ(warnings, 1);
 }
 

@@ -199,7 +199,7 @@ Shot fourSuns() {
     return shotOfScene(std::move(builder));
 }
 
-Light lampAt(const glm::vec3& position, const glm::vec3& color, Light::Kind kind = Light::Kind::Point) {
+Light punctualAt(const glm::vec3& position, const glm::vec3& color, Light::Kind kind = Light::Kind::Point) {
     Light light;
     light.kind = kind;
     light.position = position;
@@ -211,20 +211,20 @@ Light lampAt(const glm::vec3& position, const glm::vec3& color, Light::Kind kind
     return light;
 }
 
-Shot lamps(Light::Kind kind) {
+Shot punctualLights(Light::Kind kind) {
     SceneBuilder builder;
-    builder.scene.lights = {lampAt({-1.2f, 0.5f, 1.5f}, {1, 0.5f, 0.3f}, kind),
-                            lampAt({1.4f, 0.8f, 1.2f}, {0.3f, 0.5f, 1}, kind)};
+    builder.scene.lights = {punctualAt({-1.2f, 0.5f, 1.5f}, {1, 0.5f, 0.3f}, kind),
+                            punctualAt({1.4f, 0.8f, 1.2f}, {0.3f, 0.5f, 1}, kind)};
     builder.scene.lights[1].range = 2.5f;
     builder.add(square(), builder.addMaterial(plain(0, 0.3f)));
     return shotOfScene(std::move(builder));
 }
 
-Shot sunsAndLamps() {
+Shot sunsAndPunctualLights() {
     Shot shot = fourSuns();
     shot.lighting.suns.resize(2);
-    shot.scene.lights = {lampAt({1, 1, 1.5f}, {1, 1, 0.5f}, Light::Kind::Spot)};
-    shot.lighting.lamps = lightingOf(shot.scene).lamps;
+    shot.scene.lights = {punctualAt({1, 1, 1.5f}, {1, 1, 0.5f}, Light::Kind::Spot)};
+    shot.lighting.punctualLights = lightingOf(shot.scene).punctualLights;
     return shot;
 }
 
@@ -367,9 +367,9 @@ std::vector<PictureRow> pictureRows() {
         {"brdf_fast", [] { return withBrdf(Brdf::Fast); }},
         {"brdf_schlick", [] { return withBrdf(Brdf::Schlick); }},
         {"four_suns", fourSuns},
-        {"point_lamps", [] { return lamps(Light::Kind::Point); }},
-        {"spots", [] { return lamps(Light::Kind::Spot); }},
-        {"suns_and_lamps", sunsAndLamps},
+        {"point_lights", [] { return punctualLights(Light::Kind::Point); }},
+        {"spots", [] { return punctualLights(Light::Kind::Spot); }},
+        {"suns_and_punctual_lights", sunsAndPunctualLights},
         {"sky", underSky},
         {"tone_none", [] { return toneMapped(ToneMap::None); }},
         {"tone_aces", [] { return toneMapped(ToneMap::Aces); }},

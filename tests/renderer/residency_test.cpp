@@ -164,7 +164,7 @@ TEST_P(ResidencyTest, ALostContextIsRebuiltFromItsSources) {
     Renderer renderer(recordingGl(gl()));
     Lighting lighting = sunny();
     lighting.ambient = Ambient::Sky;
-    lighting.skySpecular = SkySpecular::Lookup;
+    lighting.reflection = Reflection::Lookup;
     renderer.setLighting(lighting);
     ASSERT_TRUE(renderer.load(red(), kRedSource));
     const Result<ModelId> second = renderer.add(green(), kGreenSource);

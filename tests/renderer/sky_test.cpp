@@ -35,7 +35,7 @@ const Sky* venice() {
 void lightBy(const Sky& sky, Shot& shot) {
     shot.lighting.ambient = Ambient::Sky;
     shot.lighting.sky = sky.coefficients;
-    shot.lighting.skySpecular = SkySpecular::Lookup;
+    shot.lighting.reflection = Reflection::Lookup;
     shot.mirror = sky.mirror;
 }
 
@@ -106,7 +106,7 @@ TEST_P(SkySpheres, OthersAreAsTheyShouldBe) {
     // An albedo of 0.8: what a dielectric scatters is 0.96 of its base colour.
     Shot lambert = sphereOf(glm::vec3(0.8f / 0.96f), 0, 1);
     lightBy(*sky, lambert);
-    lambert.lighting.skySpecular = SkySpecular::None;
+    lambert.lighting.reflection = Reflection::None;
     expectNear(lambert, "lambert0.8", 2);
 
     // The sharpest level holds roughness 0.0625 in texels of half a degree.

@@ -50,8 +50,8 @@ Scene paintedSign() {
 
 std::vector<Lighting> lightsOnAndOff() {
     const Sun sun{.direction = {-1, -1, -1}, .illuminance = 3};
-    const Lamp point{.position = {0, 1, 2}, .intensity = 2};
-    Lamp spot = point;
+    const PunctualLight point{.position = {0, 1, 2}, .intensity = 2};
+    PunctualLight spot = point;
     spot.spot = true;
     Lighting dark, day, dusk, night, sky;
     dark.ambient = Ambient::Color;
@@ -60,10 +60,10 @@ std::vector<Lighting> lightsOnAndOff() {
     day.suns = {sun, sun};
     dusk = dark;
     dusk.suns = {sun};
-    dusk.lamps = {point};
-    night.lamps = {spot, spot, point};
+    dusk.punctualLights = {point};
+    night.punctualLights = {spot, spot, point};
     sky.ambient = Ambient::Sky;
-    sky.skySpecular = SkySpecular::Lookup;
+    sky.reflection = Reflection::Lookup;
     sky.sky[0] = {1, 1, 1};
     sky.suns = {sun};
     return {dark, day, dusk, night, sky};

@@ -38,7 +38,7 @@ Result<Pbr::Look> Pbr::lookOf(const Paint& paint) {
     wanted.normal = paint.textured ? Normal::Map : Normal::Vertex;
     wanted.ambient = Ambient::Color;
     wanted.suns = 1;
-    wanted.lamps = 1;
+    wanted.punctualLights = 1;
     wanted.toneMap = ToneMap::Neutral;
     const Result<Canonical> canonical = canonicalise(wanted);
     if (!canonical)
@@ -62,11 +62,11 @@ void Pbr::beginFrame(const World& world, float aspect) {
     LightsBlock& lights = m_lights.edit();
     packAmbient(lights, toFloat3(world.ambient), 1);
     packSun(lights, 0, {.direction = toFloat3(world.sunDirection), .illuminance = world.sunLux}, 1);
-    packLamp(lights, 0,
-             {.position = toFloat3(world.lampPosition),
-              .color = toFloat3(world.lampColor),
-              .intensity = world.lampCandela},
-             eye, 1);
+    packPunctualLight(lights, 0,
+                      {.position = toFloat3(world.lampPosition),
+                       .color = toFloat3(world.lampColor),
+                       .intensity = world.lampCandela},
+                      eye, 1);
 }
 
 void Pbr::draw(const Thing& thing, Look& look, const GpuMesh& mesh) const {

@@ -2,8 +2,8 @@
 // root (SpecularAtlas in specular_sky.h). Level i is as large as the first times 2^(-i / 2), and below the one
 // before, so that all shrink towards one point: the numbers are that point and a square's place in the first level.
 //! declarations
-uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
-uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 //! functions
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
 vec2 skyPoint(vec3 d) {
@@ -17,9 +17,9 @@ vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
   vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
-  float blend = uSpecularScale * (level - whole);
-  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  float blend = uReflectionScale * (level - whole);
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }

@@ -2,10 +2,10 @@
 // share of it is so broad that it is irradiance (specularLookup in specular_sky.h). The direction is bent towards
 // N the more, the rougher the surface and the lower the eye: 2 N.V + bend (1 - N.V) of N (specularBend in pack.h).
 //! declarations
-uniform vec3 uSpecularLobe; // material: roughness; the bend, and 2 less that
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
+uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
+uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 //! main
-  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, uSpecularLobe.x));
-  vec3 toSky = normal * (uSpecularLobe.z * nDotV + uSpecularLobe.y) - toCamera;
+  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, uReflectionLobe.x));
+  vec3 toSky = normal * (uReflectionLobe.z * nDotV + uReflectionLobe.y) - toCamera;
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);

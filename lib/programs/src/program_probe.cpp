@@ -21,7 +21,7 @@ LightsBlock lightFromTheEye() {
     packAmbient(block, {1, 1, 1}, 1);
     for (std::size_t i = 0; i < Permutation::kMaxLights; ++i) {
         packSun(block, i, {.direction = {0, 0, -1}, .illuminance = 1}, 1);
-        packLamp(block, i, {.position = {0, 0, 2}, .intensity = 1}, {0, 0, 2}, 1);
+        packPunctualLight(block, i, {.position = {0, 0, 2}, .intensity = 1}, {0, 0, 2}, 1);
     }
     return block;
 }
@@ -63,7 +63,7 @@ ProgramProbe::ProgramProbe(const Gl& gl, TextureReset& reset, Log log)
     m_frame.edit() = {.cameraPosition = {0, 0, 2},
                       .clipToSky = kIdentity3,
                       .skyRange = 1,
-                      .specularScale = 1,
+                      .reflectionScale = 1,
                       .dither = {}};
     m_lights.edit() = lightFromTheEye();
     m_object.edit() = {kIdentity4, kIdentity4, kIdentity3, kIdentity3};

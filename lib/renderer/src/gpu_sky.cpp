@@ -37,8 +37,8 @@ Result<GpuMirror> uploadMirror(const Device& device, const SkyMirror& mirror) {
 }
 
 void bindMirror(GlState& state, const GpuMirror& mirror) {
-    bind(state, "uSpecularSky", mirror.atlas);
-    bind(state, "uSpecularLookup", mirror.lookup);
+    bind(state, "uReflectionTexture", mirror.atlas);
+    bind(state, "uReflectionLookup", mirror.lookup);
 }
 
 } // namespace franken

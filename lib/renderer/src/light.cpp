@@ -14,7 +14,7 @@ Sun toSun(const Light& light) {
             .illuminance = light.intensity};
 }
 
-Lamp toLamp(const Light& light) {
+PunctualLight toPunctualLight(const Light& light) {
     return {.position = toFloat3(light.position),
             .direction = toFloat3(light.direction),
             .color = toFloat3(light.color),
@@ -36,28 +36,29 @@ void warnOfMore(const char* what, std::size_t left, const Log& log) {
 Lighting lightingOf(const Scene& scene, const Log& log) {
     constexpr std::size_t kMost = Permutation::kMaxLights;
     Lighting lighting;
-    std::size_t moreSuns = 0, moreLamps = 0;
+    std::size_t moreSuns = 0, morePunctual = 0;
     for (const Light& light : scene.lights) {
         if (light.kind == Light::Kind::Directional)
             lighting.suns.size() < kMost ? lighting.suns.push_back(toSun(light)) : void(++moreSuns);
         else
-            lighting.lamps.size() < kMost ? lighting.lamps.push_back(toLamp(light)) : void(++moreLamps);
+            lighting.punctualLights.size() < kMost ? lighting.punctualLights.push_back(toPunctualLight(light))
+                                                   : void(++morePunctual);
     }
     warnOfMore("suns", moreSuns, log);
-    warnOfMore("lamps", moreLamps, log);
+    warnOfMore("punctual lights", morePunctual, log);
     return lighting;
 }
 
 LightsBlock packLighting(const Lighting& lighting, const Float3& eye) {
     assert(lighting.suns.size() <= Permutation::kMaxLights &&
-           lighting.lamps.size() <= Permutation::kMaxLights);
+           lighting.punctualLights.size() <= Permutation::kMaxLights);
     LightsBlock block{};
     packAmbient(block, lighting.ambientColor, lighting.exposure);
     packSky(block, lighting.sky, lighting.exposure);
     for (std::size_t i = 0; i < lighting.suns.size(); ++i)
         packSun(block, i, lighting.suns[i], lighting.exposure);
-    for (std::size_t i = 0; i < lighting.lamps.size(); ++i)
-        packLamp(block, i, lighting.lamps[i], eye, lighting.exposure);
+    for (std::size_t i = 0; i < lighting.punctualLights.size(); ++i)
+        packPunctualLight(block, i, lighting.punctualLights[i], eye, lighting.exposure);
     return block;
 }
 

@@ -200,11 +200,11 @@ Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& ligh
         permutation.lightVectors = look.lightVectors;
     permutation.ambient = lighting.ambient;
     if (lighting.ambient == Ambient::Sky)
-        permutation.skySpecular = lighting.skySpecular;
+        permutation.reflection = lighting.reflection;
     permutation.suns = static_cast<std::uint8_t>(lighting.suns.size());
-    permutation.lamps = static_cast<std::uint8_t>(lighting.lamps.size());
-    permutation.spots =
-        std::any_of(lighting.lamps.begin(), lighting.lamps.end(), [](const Lamp& lamp) { return lamp.spot; });
+    permutation.punctualLights = static_cast<std::uint8_t>(lighting.punctualLights.size());
+    permutation.spots = std::any_of(lighting.punctualLights.begin(), lighting.punctualLights.end(),
+                                    [](const PunctualLight& light) { return light.spot; });
     return canonical(permutation);
 }
 

@@ -9,11 +9,12 @@ namespace {
 /// Whether one light may follow the other without other programs and other material blocks.
 bool sameShape(const Lighting& a, const Lighting& b) {
     const auto spots = [](const Lighting& lighting) {
-        return std::any_of(lighting.lamps.begin(), lighting.lamps.end(),
-                           [](const Lamp& lamp) { return lamp.spot; });
+        return std::any_of(lighting.punctualLights.begin(), lighting.punctualLights.end(),
+                           [](const PunctualLight& light) { return light.spot; });
     };
-    return a.suns.size() == b.suns.size() && a.lamps.size() == b.lamps.size() && spots(a) == spots(b) &&
-           a.ambient == b.ambient && a.skySpecular == b.skySpecular && a.exposure == b.exposure;
+    return a.suns.size() == b.suns.size() && a.punctualLights.size() == b.punctualLights.size() &&
+           spots(a) == spots(b) && a.ambient == b.ambient && a.reflection == b.reflection &&
+           a.exposure == b.exposure;
 }
 
 } // namespace

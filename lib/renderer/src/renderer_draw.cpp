@@ -24,7 +24,7 @@ void Renderer::State::updateBlocks(const Viewpoint& viewpoint, const DrawTarget&
     values.cameraPosition = toFloat3(viewpoint.eye);
     roundTo(values.clipToSky, viewpoint.clipToSky);
     values.skyRange = skyRange * lighting.exposure;
-    values.specularScale = std::sqrt(mirror->range * lighting.exposure);
+    values.reflectionScale = std::sqrt(mirror->range * lighting.exposure);
     values.dither = packDither(target.bits);
     frame.set(values);
     lights.set(packLighting(lighting, toFloat3(viewpoint.eye)));

@@ -5,7 +5,7 @@
 //   normal: 1
 //   ambient: sh
 //   suns: sun2
-//   lamps: lamp2
+//   punctualLights: punctual2
 //   spots: 1
 //   toneMap: neutral
 //   dither: 1
@@ -32,14 +32,14 @@ uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform vec3 uSun1Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
-uniform vec4 uLamp0Position; // lights: from the eye, world space, m; 1 / range^2
-uniform vec3 uLamp0Radiance; // lights: linear intensity / pi
-uniform vec3 uLamp0Axis; // lights: where it shines, unit, world space
-uniform vec2 uLamp0Cone; // lights: scale and offset
-uniform vec4 uLamp1Position; // lights: from the eye, world space, m; 1 / range^2
-uniform vec3 uLamp1Radiance; // lights: linear intensity / pi
-uniform vec3 uLamp1Axis; // lights: where it shines, unit, world space
-uniform vec2 uLamp1Cone; // lights: scale and offset
+uniform vec4 uPunctual0Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uPunctual0Radiance; // lights: linear intensity / pi
+uniform vec3 uPunctual0Axis; // lights: where it shines, unit, world space
+uniform vec2 uPunctual0Cone; // lights: scale and offset
+uniform vec4 uPunctual1Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uPunctual1Radiance; // lights: linear intensity / pi
+uniform vec3 uPunctual1Axis; // lights: where it shines, unit, world space
+uniform vec2 uPunctual1Cone; // lights: scale and offset
 uniform vec3 uDither; // frame: amplitude per channel, in output units: 1/255 for 8 bits, 1/31 for 5
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
@@ -120,14 +120,14 @@ vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
 
 // Inverse square with a window at the range (KHR_lights_punctual, "Range Property"). distance2 in m^2;
 // inverseRange2 = 1 / range^2, 0 where the range is infinite.
-float lampFalloff(float distance2, float inverseRange2) {
+float distanceAttenuation(float distance2, float inverseRange2) {
   float d = distance2 * inverseRange2;
   return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
 }
 
-// axis: where the lamp shines, unit. cone: scale and offset that packLamp made from both angles.
-float lampCone(vec3 toLamp, vec3 axis, vec2 cone) {
-  float c = clamp(cone.y - dot(toLamp, axis) * cone.x, 0.0, 1.0);
+// axis: where the light shines, unit. cone: scale and offset that packPunctualLight made from both angles.
+float coneAttenuation(vec3 toLight, vec3 axis, vec2 cone) {
+  float c = clamp(cone.y - dot(toLight, axis) * cone.x, 0.0, 1.0);
   return c * c;
 }
 
@@ -178,20 +178,20 @@ void main() {
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
   vec4 anglesSun1 = lightAngles(normal, nDotV, toCamera, uSun1Direction);
   addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
-  vec3 toLamp0 = uLamp0Position.xyz + vToCamera;
-  float distanceLamp0 = dot(toLamp0, toLamp0);
-  toLamp0 *= inverseRoot(max(distanceLamp0, 1.0e-8));
-  vec3 radianceLamp0 = uLamp0Radiance * lampFalloff(distanceLamp0, uLamp0Position.w);
-  radianceLamp0 *= lampCone(toLamp0, uLamp0Axis, uLamp0Cone);
-  vec4 anglesLamp0 = lightAngles(normal, nDotV, toCamera, toLamp0);
-  addLight(radianceLamp0, anglesLamp0, nDotV, surface, diffuse, specular);
-  vec3 toLamp1 = uLamp1Position.xyz + vToCamera;
-  float distanceLamp1 = dot(toLamp1, toLamp1);
-  toLamp1 *= inverseRoot(max(distanceLamp1, 1.0e-8));
-  vec3 radianceLamp1 = uLamp1Radiance * lampFalloff(distanceLamp1, uLamp1Position.w);
-  radianceLamp1 *= lampCone(toLamp1, uLamp1Axis, uLamp1Cone);
-  vec4 anglesLamp1 = lightAngles(normal, nDotV, toCamera, toLamp1);
-  addLight(radianceLamp1, anglesLamp1, nDotV, surface, diffuse, specular);
+  vec3 toPunctual0 = uPunctual0Position.xyz + vToCamera;
+  float distancePunctual0 = dot(toPunctual0, toPunctual0);
+  toPunctual0 *= inverseRoot(max(distancePunctual0, 1.0e-8));
+  vec3 radiancePunctual0 = uPunctual0Radiance * distanceAttenuation(distancePunctual0, uPunctual0Position.w);
+  radiancePunctual0 *= coneAttenuation(toPunctual0, uPunctual0Axis, uPunctual0Cone);
+  vec4 anglesPunctual0 = lightAngles(normal, nDotV, toCamera, toPunctual0);
+  addLight(radiancePunctual0, anglesPunctual0, nDotV, surface, diffuse, specular);
+  vec3 toPunctual1 = uPunctual1Position.xyz + vToCamera;
+  float distancePunctual1 = dot(toPunctual1, toPunctual1);
+  toPunctual1 *= inverseRoot(max(distancePunctual1, 1.0e-8));
+  vec3 radiancePunctual1 = uPunctual1Radiance * distanceAttenuation(distancePunctual1, uPunctual1Position.w);
+  radiancePunctual1 *= coneAttenuation(toPunctual1, uPunctual1Axis, uPunctual1Cone);
+  vec4 anglesPunctual1 = lightAngles(normal, nDotV, toCamera, toPunctual1);
+  addLight(radiancePunctual1, anglesPunctual1, nDotV, surface, diffuse, specular);
   vec3 color = base.rgb * diffuse + specular;
   color = toneMap(color);
   color = encodeDisplay(color);

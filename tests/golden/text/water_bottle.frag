@@ -7,7 +7,7 @@
 //   emissive: emissive
 //   ambient: ambient
 //   suns: sun1
-//   lamps: lamp1
+//   punctualLights: punctual1
 //
 // FRAGMENT SHADER
 //
@@ -30,8 +30,8 @@ uniform vec2 uOcclusion; // material: strength, 1 - strength
 uniform vec3 uAmbient; // lights: linear radiance
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
-uniform vec4 uLamp0Position; // lights: from the eye, world space, m; 1 / range^2
-uniform vec3 uLamp0Radiance; // lights: linear intensity / pi
+uniform vec4 uPunctual0Position; // lights: from the eye, world space, m; 1 / range^2
+uniform vec3 uPunctual0Radiance; // lights: linear intensity / pi
 uniform vec3 uEmissive; // material: linear radiance where the texture is white
 uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
 
@@ -106,7 +106,7 @@ vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
 
 // Inverse square with a window at the range (KHR_lights_punctual, "Range Property"). distance2 in m^2;
 // inverseRange2 = 1 / range^2, 0 where the range is infinite.
-float lampFalloff(float distance2, float inverseRange2) {
+float distanceAttenuation(float distance2, float inverseRange2) {
   float d = distance2 * inverseRange2;
   return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
 }
@@ -135,12 +135,12 @@ void main() {
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
   vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
-  vec3 toLamp0 = uLamp0Position.xyz + vToCamera;
-  float distanceLamp0 = dot(toLamp0, toLamp0);
-  toLamp0 *= inverseRoot(max(distanceLamp0, 1.0e-8));
-  vec3 radianceLamp0 = uLamp0Radiance * lampFalloff(distanceLamp0, uLamp0Position.w);
-  vec4 anglesLamp0 = lightAngles(normal, nDotV, toCamera, toLamp0);
-  addLight(radianceLamp0, anglesLamp0, nDotV, surface, diffuse, specular);
+  vec3 toPunctual0 = uPunctual0Position.xyz + vToCamera;
+  float distancePunctual0 = dot(toPunctual0, toPunctual0);
+  toPunctual0 *= inverseRoot(max(distancePunctual0, 1.0e-8));
+  vec3 radiancePunctual0 = uPunctual0Radiance * distanceAttenuation(distancePunctual0, uPunctual0Position.w);
+  vec4 anglesPunctual0 = lightAngles(normal, nDotV, toCamera, toPunctual0);
+  addLight(radiancePunctual0, anglesPunctual0, nDotV, surface, diffuse, specular);
   vec3 color = base.rgb * diffuse + specular;
   color += uEmissive * decodeSrgb(texture2D(uEmissiveTexture, vUv0).rgb);
   color = encodeDisplay(color);

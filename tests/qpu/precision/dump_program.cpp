@@ -3,8 +3,8 @@
 //
 // A program as JSON, a document a line: first its two texts, then its uniforms' values for each line of
 // SCENES, which is 11 numbers: base colour, metalness, roughness, the camera's place, and the direction to
-// the sun, of pi lux. Further suns are dark. Where the program has no sun, its first lamp stands for it, 2 m
-// from the origin, and further ones are dark. The object's matrices are the identity.
+// the sun, of pi lux. Further suns are dark. Where the program has no sun, its first punctual light stands
+// for it, 2 m from the origin, and further ones are dark. The object's matrices are the identity.
 #include "franken/generator/compose.h"
 #include "franken/generator/pack.h"
 
@@ -34,10 +34,10 @@ void packLights(Blocks& blocks, const Permutation& permutation, const Float3& to
         sun.direction = {-toLight[0], -toLight[1], -toLight[2]};
         sun.illuminance = i == 0 ? kPi : 0;
         packSun(blocks.lights, i, sun, 1);
-        Lamp lamp;
-        lamp.position = {kDistance * toLight[0], kDistance * toLight[1], kDistance * toLight[2]};
-        lamp.intensity = i == 0 && permutation.suns == 0 ? kPi * kDistance * kDistance : 0;
-        packLamp(blocks.lights, i, lamp, blocks.frame.cameraPosition, 1);
+        PunctualLight light;
+        light.position = {kDistance * toLight[0], kDistance * toLight[1], kDistance * toLight[2]};
+        light.intensity = i == 0 && permutation.suns == 0 ? kPi * kDistance * kDistance : 0;
+        packPunctualLight(blocks.lights, i, light, blocks.frame.cameraPosition, 1);
     }
 }
 

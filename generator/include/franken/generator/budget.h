@@ -21,7 +21,7 @@ enum class Resource : std::uint8_t {
     VertexUniforms,   ///< Vectors of four floats, packed; those that the vertex shader declares.
     FragmentUniforms, ///< Likewise for the fragment shader. Samplers are no part of them.
     Samplers,         ///< Texture units of the fragment shader: no program samples in its vertex shader.
-    Lights,           ///< Suns and lamps: what a compiler without spilling has registers for.
+    Lights,           ///< Suns and punctual lights: what a compiler without spilling has registers for.
 };
 
 inline constexpr std::size_t kResourceCount = 6;

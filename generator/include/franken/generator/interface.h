@@ -22,7 +22,7 @@ int componentCount(Type type);
 /// How often a uniform changes, and so who uploads it.
 enum class Block : std::uint8_t {
     Frame,    ///< With the camera and the target.
-    Lights,   ///< With suns, lamps, ambient light or exposure.
+    Lights,   ///< With suns, punctual lights, ambient light or exposure.
     Material, ///< With the material.
     Object,   ///< With every object drawn.
 };

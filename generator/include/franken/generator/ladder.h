@@ -16,9 +16,9 @@ namespace FRANKEN_API franken {
 ///
 ///  1. the form for a GPU: another text, the same picture
 ///  2. dithering
-///  3. lights beyond two suns and two lamps
-///  4. lights beyond the first sun, or the first lamp where there is no sun
-///  5. the sky's mirror image
+///  3. lights beyond two suns and two punctual lights
+///  4. lights beyond the first sun, or the first punctual light where there is no sun
+///  5. the sky's reflection
 ///  6. normal and occlusion maps
 ///  7. textures of metalness, roughness and emission: factors alone
 ///  8. light and tone map: the base colour as it is

@@ -54,7 +54,7 @@ struct MaterialBlock {
     Float4 reflectance;  ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
                          ///< 0.04 (1 - m)
     Float3 lobe;         ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
-    Float3 specularLobe; ///< Roughness; specularBend(), and 2 less that
+    Float3 reflectionLobe; ///< Roughness; specularBend(), and 2 less that
     Float2 occlusion;    ///< strength, 1 - strength
     Float3 emissive;
     std::array<Float3, 3> emissiveCubic; ///< As baseColorCubic
@@ -74,7 +74,7 @@ struct Sun {
 };
 
 /// A light with a position (KHR_lights_punctual, point and spot).
-struct Lamp {
+struct PunctualLight {
     Float3 position{0, 0, 0};   ///< World space, m
     Float3 direction{0, 0, -1}; ///< Where a spot shines, world space; any length but 0
     Float3 color{1, 1, 1};      ///< Linear
@@ -94,10 +94,10 @@ struct LightsBlock {
     std::array<Float3, 9> sky;
     std::array<Float3, Permutation::kMaxLights> sunDirection; ///< Towards the sun, unit
     std::array<Float3, Permutation::kMaxLights> sunRadiance;  ///< Irradiance / pi
-    std::array<Float4, Permutation::kMaxLights> lampPosition; ///< From the eye, m; 1 / range^2
-    std::array<Float3, Permutation::kMaxLights> lampRadiance; ///< Intensity / pi
-    std::array<Float3, Permutation::kMaxLights> lampAxis;     ///< Unit
-    std::array<Float2, Permutation::kMaxLights> lampCone;     ///< Scale, offset
+    std::array<Float4, Permutation::kMaxLights> punctualPosition; ///< From the eye, m; 1 / range^2
+    std::array<Float3, Permutation::kMaxLights> punctualRadiance; ///< Intensity / pi
+    std::array<Float3, Permutation::kMaxLights> punctualAxis;     ///< Unit
+    std::array<Float2, Permutation::kMaxLights> punctualCone;     ///< Scale, offset
 };
 
 /// Each writes one light's share of the block. Exposure multiplies all light, so that it costs nothing per
@@ -105,14 +105,14 @@ struct LightsBlock {
 void packAmbient(LightsBlock& block, const Float3& radiance, float exposure);
 void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure);
 void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure);
-void packLamp(LightsBlock& block, std::size_t index, const Lamp& lamp, const Float3& cameraPosition,
-              float exposure);
+void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLight& light,
+                       const Float3& cameraPosition, float exposure);
 
 struct FrameBlock {
     Float3 cameraPosition; ///< World space, m
     Float9 clipToSky;      ///< (x, y, 1) in clip space to a direction in the sky
     float skyRange;        ///< The largest radiance that a sky texel can hold, times the exposure
-    float specularScale;   ///< Root of the range, times the exposure, of the sky as rough mirrors show it
+    float reflectionScale;   ///< Root of the range, times the exposure, of the sky as rough mirrors show it
     Float3 dither;         ///< Amplitude per channel, in output units
 };
 

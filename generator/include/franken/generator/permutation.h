@@ -30,7 +30,7 @@ enum class Normal : std::uint8_t {
     Map,    ///< A tangent-space normal map with a scale; needs tangents.
 };
 
-/// What dims the ambient light. It never dims suns and lamps (glTF 2.0, 3.9.3).
+/// What dims the ambient light. It never dims suns and punctual lights (glTF 2.0, 3.9.3).
 enum class Occlusion : std::uint8_t {
     None,
     Texture, ///< R of a texture of its own.
@@ -58,7 +58,8 @@ enum class Shading : std::uint8_t {
     Unlit, ///< KHR_materials_unlit: base colour alone; not tone-mapped, still encoded.
 };
 
-/// The reflectance model of suns and lamps; all use the GGX distribution and Schlick's Fresnel term.
+/// The reflectance model of suns and punctual lights; all use the GGX distribution and Schlick's Fresnel
+/// term.
 enum class Brdf : std::uint8_t {
     Gltf,    ///< glTF 2.0, appendix B: height-correlated Smith visibility.
     Seed,    ///< Schlick-GGX with k = (roughness + 1)^2 / 8, denominator kept above 0.001.
@@ -73,13 +74,13 @@ enum class Ambient : std::uint8_t {
 };
 
 /// What a surface shows of the sky besides its irradiance: the sky through the lobe of a mirror as rough as
-/// the surface, by glTF's BRDF whatever suns and lamps have. Needs Ambient::Sky.
-enum class SkySpecular : std::uint8_t {
-    None,   ///< Nothing: metals are black but for suns and lamps.
+/// the surface, by glTF's BRDF whatever suns and punctual lights have. Needs Ambient::Sky.
+enum class Reflection : std::uint8_t {
+    None,   ///< Nothing: metals are black but for suns and punctual lights.
     Lookup, ///< Prefiltered levels in one texture, and how much is reflected in another.
 };
 
-/// Where the vectors between surface, eye and suns are computed. Lamps are always per pixel.
+/// Where the vectors between surface, eye and suns are computed. Punctual lights are always per pixel.
 enum class LightVectors : std::uint8_t {
     PerPixel,  ///< Exact.
     PerVertex, ///< Half vectors and Fresnel interpolated: cheaper, for finely tessellated meshes.
@@ -121,7 +122,7 @@ enum class Target : std::uint8_t { Generic, Vc4, V3d };
 /// Every choice that changes the text of a program, and nothing else. A default-constructed one is an
 /// opaque, untextured, unlit-by-anything surface; each member's first value is its default.
 struct Permutation {
-    static constexpr std::uint8_t kMaxLights = 4; ///< Suns, and lamps, in one program.
+    static constexpr std::uint8_t kMaxLights = 4; ///< Suns, and punctual lights, in one program.
 
     Program program = Program::Surface;
 
@@ -145,10 +146,10 @@ struct Permutation {
     Shading shading = Shading::Lit;
     Brdf brdf = Brdf::Gltf;
     Ambient ambient = Ambient::None;
-    SkySpecular skySpecular = SkySpecular::None;
-    std::uint8_t suns = 0;  ///< Directional lights, 0 to kMaxLights.
-    std::uint8_t lamps = 0; ///< Punctual lights with a position, 0 to kMaxLights.
-    bool spots = false;     ///< Lamps have cones; a point light's is the whole sphere.
+    Reflection reflection = Reflection::None;
+    std::uint8_t suns = 0;           ///< Directional lights, 0 to kMaxLights.
+    std::uint8_t punctualLights = 0; ///< Punctual lights with a position, 0 to kMaxLights.
+    bool spots = false;              ///< Punctual lights have cones; a point light's is the whole sphere.
     LightVectors lightVectors = LightVectors::PerPixel;
 
     Decode decode = Decode::Exact;

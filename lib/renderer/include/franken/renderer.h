@@ -82,7 +82,7 @@ public:
     /// add() does.
     Result<void> setBackdrop(const SkyCube* cube, SkySource source = {});
 
-    /// Takes what rough mirrors show of a sky, or nothing (null). Seen where Lighting::skySpecular asks for
+    /// Takes what rough mirrors show of a sky, or nothing (null). Seen where Lighting::reflection asks for
     /// it; surfaces reflect no sky then while there is none here. Fails with "renderer.sky" where the atlas
     /// is larger than the GPU's textures, and as add() does.
     Result<void> setMirror(const SkyMirror* mirror, MirrorSource source = {});

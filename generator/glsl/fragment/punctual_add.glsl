@@ -1,4 +1,4 @@
-// One lamp's share.
+// One punctual light's share.
 //! main
   vec4 angles${light} = lightAngles(normal, nDotV, toCamera, to${light});
   addLight(radiance${light}, angles${light}, nDotV, surface, diffuse, specular);

@@ -6,7 +6,7 @@
 //   occlusion: occlusion-packed
 //   emissive: emissive
 //   ambient: sh
-//   skySpecular: 1
+//   reflection: 1
 //   suns: sun2
 //   decode: decode-fast
 //   output: srgb-fast
@@ -29,9 +29,9 @@ varying vec3 vTangent;
 varying vec3 vBitangent;
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
-uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
-uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
+uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 uniform vec2 uOcclusion; // material: strength, 1 - strength
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
@@ -63,8 +63,8 @@ vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
 vec3 skyLight(vec3 n) {
   float reach = 0.0546875 - 0.02734375 * abs(n.y);
   vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uSpecularSky, point);
-  vec3 root = texel.rgb * (texel.a * uSpecularScale);
+  vec4 texel = texture2D(uReflectionTexture, point);
+  vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
 
@@ -114,10 +114,10 @@ vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
   vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
-  float blend = uSpecularScale * (level - whole);
-  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  float blend = uReflectionScale * (level - whole);
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
@@ -151,7 +151,7 @@ void main() {
   float alpha = roughness * roughness;
   float bend = alpha * (0.6 + metallic);
   vec3 toSky = mix(bend, 2.0, nDotV) * normal - toCamera;
-  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
+  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, roughness));
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(0.96 - 0.96 * metallic, metallic * look.r, look.g + look.r * (0.04 - metallic * 0.04));
   float occlusion = orm.r * uOcclusion.x + uOcclusion.y;

@@ -1,7 +1,7 @@
 #version 100
 // FrankenShader
 //   ambient: sh
-//   skySpecular: 1
+//   reflection: 1
 //
 // FRAGMENT SHADER
 //
@@ -14,10 +14,10 @@ varying vec3 vNormal;
 varying vec3 vToCamera;
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
-uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
-uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
-uniform vec3 uSpecularLobe; // material: roughness; the bend, and 2 less that
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
+uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
+uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 
 float inverseRoot(float x) {
   return inversesqrt(x);
@@ -31,8 +31,8 @@ float inverse(float x) {
 vec3 skyLight(vec3 n) {
   float reach = 0.0546875 - 0.02734375 * abs(n.y);
   vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uSpecularSky, point);
-  vec3 root = texel.rgb * (texel.a * uSpecularScale);
+  vec4 texel = texture2D(uReflectionTexture, point);
+  vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
 
@@ -48,10 +48,10 @@ vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
   vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
-  float blend = uSpecularScale * (level - whole);
-  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  float blend = uReflectionScale * (level - whole);
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
@@ -68,8 +68,8 @@ void main() {
   vec3 irradiance = skyLight(normal);
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
-  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, uSpecularLobe.x));
-  vec3 toSky = normal * (uSpecularLobe.z * nDotV + uSpecularLobe.y) - toCamera;
+  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, uReflectionLobe.x));
+  vec3 toSky = normal * (uReflectionLobe.z * nDotV + uReflectionLobe.y) - toCamera;
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
   vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;

@@ -3,10 +3,9 @@
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   ambient: sh
-//   skySpecular: 1
+//   reflection: 1
 //   suns: sun1
-//   lamps: lamp1
-//   brdf: seed
+//   target: vc4
 //
 // FRAGMENT SHADER
 //
@@ -22,13 +21,11 @@ uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
-uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
-uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
+uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
-uniform vec4 uLamp0Position; // lights: from the eye, world space, m; 1 / range^2
-uniform vec3 uLamp0Radiance; // lights: linear intensity / pi
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
 vec3 decodeSrgb(vec3 c) {
@@ -38,7 +35,7 @@ vec3 decodeSrgb(vec3 c) {
 }
 
 float root(float x) {
-  return sqrt(x);
+  return exp2(0.50001 * log2(x));
 }
 
 float inverseRoot(float x) {
@@ -46,60 +43,50 @@ float inverseRoot(float x) {
 }
 
 float inverse(float x) {
-  return 1.0 / x;
+  return exp2(-1.00001 * log2(x));
 }
 
 // n: unit, world space. Returns linear radiance of a white surface.
 vec3 skyLight(vec3 n) {
   float reach = 0.0546875 - 0.02734375 * abs(n.y);
   vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uSpecularSky, point);
-  vec3 root = texel.rgb * (texel.a * uSpecularScale);
+  vec4 texel = texture2D(uReflectionTexture, point);
+  vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
 
 struct Surface {
-  vec3 base; // linear base colour
-  float diffuse; // (1 - metalness) (1 - 0.04 (1 - metalness))
-  float tinted; // (1 - metalness) metalness
+  float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float dielectric; // 0.04 (1 - metalness)
+  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
   float slope; // 1 - alpha^2
-  vec2 smith; // coefficients of the shadowing
+  vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V N.L. light: see lightAngles.
+// pi D V. light: see lightAngles.
 float lobe(vec4 light, float nDotV, Surface surface) {
-  float kept = min(4000.0 * light.x * nDotV, 1.0);
+  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
+  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
   float width = light.z - light.y * surface.slope;
-  float smithV = nDotV * surface.smith.x + surface.smith.y;
-  float smithL = light.x * surface.smith.x + surface.smith.y;
-  return light.x * kept * surface.gain * inverse(width * width * smithV * smithL) * (light.z * light.z);
+  float h = log2(light.z);
+  return surface.gain * exp2((h + h) - log2((smithV + smithL) * (width * width)));
 }
 
 // light: see lightAngles. radiance: irradiance / pi.
 void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
   float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  float entering = light.x - light.w * light.x;
-  vec3 kept = entering * surface.tinted * surface.base;
-  vec3 tinted = surface.diffuse * entering + face * surface.metal - kept;
-  color += (base * tinted + (surface.dielectric * face + rim)) * radiance;
+  float entering = light.x - light.x * light.w;
+  float tinted = (surface.diffuse + surface.metal * mirror) * entering;
+  color += radiance * (mirror * (light.x - entering * surface.clear) + base * tinted);
 }
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
-Surface makeSurface(vec3 base, float metallic, float roughness) {
+Surface makeSurface(float metallic, float roughness) {
   float r = max(roughness, 0.001);
-  float alpha2 = r * r * r * r;
-  float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
-  float dielectric = 0.04 - 0.04 * metallic;
-  float scattered = 1.0 - metallic;
-  float diffuse = scattered - scattered * dielectric;
-  vec2 smith = vec2(1.0 - k, k);
-  float gain = 0.25 * alpha2;
-  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, gain);
+  float alpha2 = (r * (r * r)) * r;
+  float slope = 1.0 - alpha2;
+  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
 // d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
@@ -114,10 +101,10 @@ vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
   vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
-  float blend = uSpecularScale * (level - whole);
-  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  float blend = uReflectionScale * (level - whole);
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
@@ -125,17 +112,11 @@ vec3 skyThroughLobe(vec3 d, float level) {
 vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
   float nDotL = max(dot(normal, toLight), 0.0);
   float nDotH = nDotL + nDotV;
-  float h2 = 2.0 * dot(toCamera, toLight) + 2.000002;
-  float x = 1.0 - root(0.25 * h2);
+  float vDotL = dot(toCamera, toLight) + 1.000001;
+  float h2 = vDotL + vDotL;
+  float x = 1.0 - exp2(0.50001 * log2(h2) - 1.0);
   float x2 = x * x;
   return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
-}
-
-// Inverse square with a window at the range (KHR_lights_punctual, "Range Property"). distance2 in m^2;
-// inverseRange2 = 1 / range^2, 0 where the range is infinite.
-float lampFalloff(float distance2, float inverseRange2) {
-  float d = distance2 * inverseRange2;
-  return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -154,24 +135,18 @@ void main() {
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
   vec3 irradiance = skyLight(normal);
-  Surface surface = makeSurface(base.rgb, metallic, roughness);
+  Surface surface = makeSurface(metallic, roughness);
   vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
   float nDotV = max(dot(normal, toCamera), 1.0e-4);
   float alpha = roughness * roughness;
   float bend = alpha * (0.6 + metallic);
   vec3 toSky = mix(bend, 2.0, nDotV) * normal - toCamera;
-  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, roughness));
+  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, roughness));
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(0.96 - 0.96 * metallic, metallic * look.r, look.g + look.r * (0.04 - metallic * 0.04));
   vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
   vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
   addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
-  vec3 toLamp0 = uLamp0Position.xyz + vToCamera;
-  float distanceLamp0 = dot(toLamp0, toLamp0);
-  toLamp0 *= inverseRoot(max(distanceLamp0, 1.0e-8));
-  vec3 radianceLamp0 = uLamp0Radiance * lampFalloff(distanceLamp0, uLamp0Position.w);
-  vec4 anglesLamp0 = lightAngles(normal, nDotV, toCamera, toLamp0);
-  addLight(radianceLamp0, anglesLamp0, nDotV, surface, base.rgb, color);
   color = encodeDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

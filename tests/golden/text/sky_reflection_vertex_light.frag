@@ -4,7 +4,7 @@
 //   normal: 1
 //   occlusion: occlusion
 //   ambient: sh
-//   skySpecular: 1
+//   reflection: 1
 //   suns: sun2
 //   lightVectors: 1
 //
@@ -26,13 +26,13 @@ uniform sampler2D uOcclusionTexture; // material: R, linear
 uniform vec2 uOcclusion; // material: strength, 1 - strength
 uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
-uniform sampler2D uSpecularSky; // frame: RGBM, square-rooted
-uniform float uSpecularScale; // frame: root of the largest radiance that a texel can hold, times the exposure
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 varying vec3 vToCamera;
 varying vec4 vVDotL;
 varying vec4 vFresnel;
-uniform vec3 uSpecularLobe; // material: roughness; the bend, and 2 less that
-uniform sampler2D uSpecularLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
+uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
+uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 uniform mediump vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform mediump vec3 uSun1Direction; // lights: towards the sun, unit, world space
@@ -68,8 +68,8 @@ vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
 vec3 skyLight(vec3 n) {
   float reach = 0.0546875 - 0.02734375 * abs(n.y);
   vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uSpecularSky, point);
-  vec3 root = texel.rgb * (texel.a * uSpecularScale);
+  vec4 texel = texture2D(uReflectionTexture, point);
+  vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
 
@@ -110,10 +110,10 @@ vec3 skyThroughLobe(vec3 d, float level) {
   float whole = float(int(level));
   float size = exp2(-0.5 * whole);
   vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uSpecularSky, vec2(0.0, 1.0462376) + 0.70710678 * point);
-  float blend = uSpecularScale * (level - whole);
-  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uSpecularScale - blend)) * sharp.rgb;
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  float blend = uReflectionScale * (level - whole);
+  vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
@@ -142,8 +142,8 @@ void main() {
   float reach = dot(vToCamera, vToCamera) + 1.000002;
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
   vec3 toCamera = vToCamera;
-  vec4 look = texture2D(uSpecularLookup, vec2(nDotV, uSpecularLobe.x));
-  vec3 toSky = normal * (uSpecularLobe.z * nDotV + uSpecularLobe.y) - toCamera;
+  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, uReflectionLobe.x));
+  vec3 toSky = normal * (uReflectionLobe.z * nDotV + uReflectionLobe.y) - toCamera;
   vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
   vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
   skyShare *= occlusion;

@@ -1,4 +1,4 @@
-// One lamp's share, beside a sky's mirror image (sky_sum.glsl).
+// One punctual light's share, beside a sky's mirror image (sky_sum.glsl).
 //! main
   vec4 angles${light} = lightAngles(normal, nDotV, toCamera, to${light});
   addLight(radiance${light}, angles${light}, nDotV, surface, base.rgb, color);
