@@ -2,12 +2,11 @@
 #include "common/exit_code.h"
 #include "common/progress_bar.h"
 #include "franken/baked_sky.h"
+#include "franken/file_writer.h"
+#include "franken/printable.h"
 
 #include <CLI/CLI.hpp>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iostream>
 
 using namespace franken;
@@ -27,20 +26,14 @@ struct Options {
 };
 
 ExitCode fail(const Error& error, ExitCode code) {
-    std::cerr << "bake: error: " << toString(error) << "\n";
+    std::cerr << "bake: error: " << printable(toString(error)) << "\n";
     return code;
 }
 
-Result<void> write(const std::filesystem::path& path, const std::vector<std::uint8_t>& bytes) {
-    std::ofstream file(path, std::ios::binary);
-    if (file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()))
-            .flush())
-        return {};
-    return Error{"bake.write", path.string(), std::string("cannot be written: ") + std::strerror(errno),
-                 "check the folder, its permissions and the space left"};
-}
-
 ExitCode run(Options options) {
+    // Baking in place would destroy the source.
+    if (const Result<void> checked = checkNotInput(options.output, {{options.sky}}); !checked)
+        return fail(checked.error(), ExitCode::Usage);
     ProgressBar bar("filtering");
     options.bake.progress = [&bar](float share) { bar.show(share); };
     // Whoever bakes sits at a desktop, and knows the file.
@@ -51,7 +44,7 @@ ExitCode run(Options options) {
     const BakedSky baked = bakeSky(*std::move(sky), options.bake);
     if (options.bake.sun && !baked.sun)
         std::cerr << "bake: warning: no part of the sky is bright enough to be a sun\n";
-    const Result<void> written = write(options.output, encodeBakedSky(baked));
+    const Result<void> written = writeFile(options.output, encodeBakedSky(baked));
     return written ? ExitCode::Ok : fail(written.error(), ExitCode::Device);
 }
 

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "common/png.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include "franken/file_writer.h"
 
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #include <stb_image_write.h>
 
 using namespace franken;
-
-namespace {
-
-Error failed(const std::filesystem::path& path, const std::string& why) {
-    return {"png.write", path.string(), "cannot be written: " + why,
-            "check the folder, its permissions and the space left"};
-}
-
-} // namespace
 
 std::vector<std::uint8_t> encodePng(int width, int height, int channels, std::span<const std::uint8_t> pixels,
                                     int effort) {
@@ -40,21 +29,5 @@ Result<void> writePng(const std::filesystem::path& path, const Image& image) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             rgb.push_back(image.rgba[pixel + channel]);
     const std::vector<std::uint8_t> png = encodePng(image.width, image.height, 3, rgb);
-    std::ofstream file(path, std::ios::binary);
-    if (file.write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size())) &&
-        file.flush())
-        return {};
-    return failed(path, std::strerror(errno));
-}
-
-Result<void> replacePng(const std::filesystem::path& path, const Image& image) {
-    std::filesystem::path beside = path;
-    beside += ".new";
-    if (Result<void> written = writePng(beside, image); !written)
-        return written;
-    std::error_code error;
-    std::filesystem::rename(beside, path, error);
-    if (error)
-        return failed(path, error.message());
-    return {};
+    return writeFile(path, png);
 }

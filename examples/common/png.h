@@ -14,9 +14,6 @@
 std::vector<std::uint8_t> encodePng(int width, int height, int channels, std::span<const std::uint8_t> pixels,
                                     int effort = 8);
 
-/// Writes RGB, 8 bits a channel; alpha is left out. Fails with "png.write".
+/// Writes RGB, 8 bits a channel; alpha is left out. Whoever looks sees the old picture or the new one. Fails as
+/// writeFile() does.
 franken::Result<void> writePng(const std::filesystem::path& path, const franken::Image& image);
-
-/// Likewise, but in one step: beside the file, and then in its place. Whoever looks sees the old picture or
-/// the new one.
-franken::Result<void> replacePng(const std::filesystem::path& path, const franken::Image& image);

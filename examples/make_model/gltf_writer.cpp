@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "gltf_writer.h"
 
-#include <fstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include <nlohmann/json.hpp>
+
+#include "franken/file_writer.h"
 
 namespace make_model {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bytes = std::vector<std::uint8_t>;
 using franken::Result;
+using franken::writeFile;
 
 // The numbers that glTF takes over from OpenGL.
 constexpr int kUnsignedByte = 5121;
@@ -208,16 +210,6 @@ Json toJson(const Model& model, Storage& storage) {
     return gltf;
 }
 
-Result<void> writeFile(const std::filesystem::path& path, const Bytes& bytes) {
-    std::ofstream file(path, std::ios::binary);
-    file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    file.close();
-    if (!file)
-        return franken::Error{"model.write", path.string(), "the file cannot be written",
-                              "check that its folder exists and is writable"};
-    return {};
-}
-
 void appendWord(Bytes& bytes, std::size_t value) {
     for (int shift = 0; shift < 32; shift += 8)
         bytes.push_back(static_cast<std::uint8_t>(value >> shift));
@@ -268,7 +260,7 @@ Result<void> writeFiles(const Model& model, const std::filesystem::path& path) {
         return written;
 
     const std::string text = gltf.dump(2) + '\n';
-    return writeFile(path, Bytes(text.begin(), text.end()));
+    return writeFile(path, text);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <cstring>
 #include <iostream>
 
+#include "franken/printable.h"
 #include "gltf_writer.h"
 #include "sky.h"
 
@@ -21,7 +22,7 @@ int main(int argc, char** argv) {
     const auto written = path.extension() == ".hdr" ? make_model::writeSky(path)
                                                     : make_model::writeGltf(make_model::makeModel(), path);
     if (!written) {
-        std::cerr << "make_model: " << franken::toString(written.error()) << '\n';
+        std::cerr << "make_model: " << franken::printable(franken::toString(written.error())) << '\n';
         return 1;
     }
     return 0;

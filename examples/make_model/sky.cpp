@@ -5,11 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <numbers>
+#include <string>
 
 #include <glm/glm.hpp>
 
+#include "franken/file_writer.h"
 #include "numbers.h"
 
 namespace make_model {
@@ -100,17 +101,14 @@ glm::dvec3 meanRadiance(int x, int y) {
 } // namespace
 
 franken::Result<void> writeSky(const std::filesystem::path& path) {
-    std::ofstream file(path, std::ios::binary);
-    file << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " << kHeight << " +X " << kWidth << "\n";
+    std::string bytes =
+        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(kHeight) + " +X " + std::to_string(kWidth) + "\n";
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
             const auto texel = toRgbe(meanRadiance(x, y));
-            file.write(reinterpret_cast<const char*>(texel.data()), texel.size());
+            bytes.append(reinterpret_cast<const char*>(texel.data()), texel.size());
         }
-    if (file.flush())
-        return {};
-    return franken::Error{"make_model.write", path.string(), "the sky cannot be written",
-                          "check the folder, its permissions and the space left"};
+    return franken::writeFile(path, bytes);
 }
 
 } // namespace make_model

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "options.h"
 
+#include "franken/file_writer.h"
+
 #include <CLI/CLI.hpp>
 
 #include <charconv>
@@ -165,7 +167,12 @@ void addScene(CLI::App& app, Options& options) {
         ->type_name("FACTOR");
     app.add_option_function<std::string>(
            "--background",
-           [&options](const std::string& text) { options.background = toColor("--background", text); },
+           [&options](const std::string& text) {
+               options.background = toColor("--background", text);
+               for (const float part : options.background)
+                   if (part > 1)
+                       throw CLI::ValidationError("--background", "'" + text + "': a display shows 0 to 1");
+           },
            "As the display gets it, 0 to 1 [0,0,0]")
         ->type_name("R,G,B");
 }
@@ -224,6 +231,9 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     addLook(app, options.look);
     try {
         app.parse(argc, argv);
+        const std::filesystem::path inputs[] = {options.model, options.skybox, options.heightMap, options.manifest};
+        if (const Result<void> checked = checkNotInput(options.output, inputs); !checked)
+            throw CLI::ValidationError("--output-file", checked.error().what);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
     }

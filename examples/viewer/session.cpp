@@ -121,7 +121,7 @@ std::optional<Failure> Session::draw() {
     for (const ProgramUse& use : drawn->needed)
         if (std::find(m_needed.begin(), m_needed.end(), use) == m_needed.end())
             m_needed.push_back(use);
-    if (const Result<void> written = replacePng(m_options.output, drawn->picture); !written)
+    if (const Result<void> written = writePng(m_options.output, drawn->picture); !written)
         return Failure{written.error(), ExitCode::Device};
     if (m_options.stats)
         printStats(*drawn);

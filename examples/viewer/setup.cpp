@@ -2,14 +2,17 @@
 #include "setup.h"
 
 #include "franken/displacement.h"
+#include "franken/file.h"
 
 #include <charconv>
-#include <fstream>
-#include <iterator>
 
 using namespace franken;
 
 namespace {
+
+// A map has no more texels than vertices can show: 64 MiB of RGBA at the most.
+constexpr std::size_t kMaxHeightMapBytes = std::size_t{64} << 20U;
+constexpr int kMaxHeightMapSize = 4096;
 
 std::string camerasOf(const Scene& scene) {
     std::string list;
@@ -45,12 +48,10 @@ Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
 Result<void> applyHeights(Scene& scene, const Options& options) {
     if (options.heightMap.empty())
         return {};
-    std::ifstream file(options.heightMap, std::ios::binary);
-    const std::vector<std::uint8_t> bytes{std::istreambuf_iterator<char>(file), {}};
-    if (bytes.empty())
-        return Error{"viewer.heights", options.heightMap.string(), "the height map cannot be read",
-                     "name a PNG or a JPEG"};
-    Result<Image> image = decodeImage(bytes);
+    const auto bytes = readFile(options.heightMap, kMaxHeightMapBytes);
+    if (!bytes)
+        return bytes.error();
+    Result<Image> image = decodeImage(*bytes, kMaxHeightMapSize);
     if (!image)
         return image.error();
     return displace(scene, {.image = *std::move(image), .scale = options.heightScale, .ground = 0.5f});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/manifest.h"
 
+#include "franken/printable.h"
+
 #include <algorithm>
 
 namespace franken {
@@ -27,6 +29,7 @@ bool areStates(std::string_view words) {
 
 std::vector<ManifestLine> manifestLines(std::string_view text) {
     std::vector<ManifestLine> lines;
+    text = withoutByteOrderMark(text);
     for (std::size_t number = 1; !text.empty(); ++number) {
         const std::string_view whole = text.substr(0, text.find('\n'));
         text.remove_prefix(std::min(whole.size() + 1, text.size()));

@@ -161,7 +161,7 @@ TEST_F(Watching, TakesAHeightMap) {
     writeSquare(m_model);
     const auto writeHeights = [&](std::uint8_t left, std::uint8_t right) {
         const Image heights{"", 2, 1, {left, left, left, 255, right, right, right, 255}};
-        EXPECT_TRUE(replacePng(m_folder / "heights.png", heights));
+        EXPECT_TRUE(writePng(m_folder / "heights.png", heights));
     };
     writeHeights(128, 128);
     start("--height-map heights.png --height-scale 3");

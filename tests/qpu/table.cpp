@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "table.h"
 
+#include "franken/file_writer.h"
+
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 namespace franken::test {
 
@@ -19,10 +22,16 @@ Table readTable(const std::filesystem::path& file) {
 }
 
 void writeTable(const std::filesystem::path& file, const Table& table) {
-    std::ofstream out(file, std::ios::binary);
+    std::ostringstream out;
     for (const Row& row : table)
         for (std::size_t i = 0; i < row.size(); ++i)
             out << row[i] << (i + 1 < row.size() ? '\t' : '\n');
+    writeText(file, out.str());
+}
+
+void writeText(const std::filesystem::path& file, const std::string& text) {
+    if (const Result<void> written = writeFile(file, text); !written)
+        throw std::runtime_error(toString(written.error()));
 }
 
 std::string readText(const std::filesystem::path& file) {

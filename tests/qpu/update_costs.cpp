@@ -5,7 +5,6 @@
 #include "price_list.h"
 
 #include <exception>
-#include <fstream>
 #include <iostream>
 
 using namespace franken::test;
@@ -21,10 +20,10 @@ void update(const std::filesystem::path& root) {
     writeTable(folder / "costs.tsv", toTable(costs));
     writeTable(folder / "goals.tsv", toTable(measureGoals(goalsFrom(readTable(folder / "goals.tsv")))));
     const std::string list = priceList();
-    std::ofstream(folder / "prices.md", std::ios::binary) << list;
+    writeText(folder / "prices.md", list);
     const std::string readme = readText(root / "README.md");
     if (const std::string updated = withPriceList(readme, list); updated != readme)
-        std::ofstream(root / "README.md", std::ios::binary) << updated;
+        writeText(root / "README.md", updated);
 }
 
 } // namespace

@@ -19,16 +19,38 @@ Error openError(const fs::path& path, const std::string& reason) {
             "check that it exists, is a file, and may be read"};
 }
 
-bool readAll(int file, std::vector<std::uint8_t>& bytes) {
+Error sizeError(const fs::path& path, std::uintmax_t size, std::size_t maxBytes) {
+    return {"file.size", path.string(),
+            "the file " + path.filename().string() + " has " + std::to_string(size) +
+                " bytes, over the limit of " + std::to_string(maxBytes),
+            "make it smaller, or raise the limit"};
+}
+
+Result<void> readAll(int file, std::vector<std::uint8_t>& bytes, const fs::path& path) {
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t count = read(file, bytes.data() + done, bytes.size() - done);
         if (count < 0 && errno == EINTR)
             continue;
         if (count <= 0)
-            return false;
+            return openError(path, count < 0 ? std::strerror(errno) : "it ends early");
         done += static_cast<std::size_t>(count);
     }
-    return true;
+    return {};
+}
+
+Result<std::vector<std::uint8_t>> readOpen(int file, const fs::path& path, std::size_t maxBytes) {
+    struct stat status {};
+    if (fstat(file, &status) != 0)
+        return openError(path, std::strerror(errno));
+    if (!S_ISREG(status.st_mode))
+        return openError(path, "it is no regular file");
+    const auto size = static_cast<std::uintmax_t>(status.st_size);
+    if (size > maxBytes)
+        return sizeError(path, size, maxBytes);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
+    if (const Result<void> read = readAll(file, bytes, path); !read)
+        return read.error();
+    return bytes;
 }
 
 } // namespace
@@ -39,23 +61,25 @@ Descriptor::~Descriptor() {
 }
 
 Result<std::vector<std::uint8_t>> readFile(const fs::path& path, std::size_t maxBytes) {
+    auto bytes = readFileIfThere(path, maxBytes);
+    if (!bytes)
+        return bytes.error();
+    if (!*bytes)
+        return openError(path, std::strerror(ENOENT));
+    return **std::move(bytes);
+}
+
+Result<std::optional<std::vector<std::uint8_t>>> readFileIfThere(const fs::path& path, std::size_t maxBytes) {
     // Without O_NONBLOCK, opening a pipe would wait for its writer.
-    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-    struct stat status {};
-    if (!file || fstat(file.number(), &status) != 0)
+    const Descriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
+    if (!file && errno == ENOENT)
+        return std::optional<std::vector<std::uint8_t>>();
+    if (!file)
         return openError(path, std::strerror(errno));
-    if (!S_ISREG(status.st_mode))
-        return openError(path, "it is no regular file");
-    const auto size = static_cast<std::uintmax_t>(status.st_size);
-    if (size > maxBytes)
-        return Error{"file.size", path.string(),
-                     "the file " + path.filename().string() + " has " + std::to_string(size) +
-                         " bytes, over the limit of " + std::to_string(maxBytes),
-                     "make it smaller, or raise the limit"};
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(size));
-    if (!readAll(file.number(), bytes))
-        return openError(path, "it ends early");
-    return bytes;
+    auto bytes = readOpen(file.number(), path, maxBytes);
+    if (!bytes)
+        return bytes.error();
+    return std::optional(*std::move(bytes));
 }
 
 Result<fs::path> findBelow(const fs::path& folder, const fs::path& name) {

@@ -2,6 +2,8 @@
 #include "franken/manifest.h"
 
 #include "franken/generator/manifest.h"
+#include "franken/printable.h"
+#include "manifest_text.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -26,9 +28,9 @@ std::uint32_t crc32(std::string_view text) {
 
 std::string heading() { return std::string(kHeading) + std::to_string(kSchemaVersion) + "\n"; }
 
-std::string endOf(std::size_t count, std::string_view before) {
+std::string endLine(std::size_t count, std::uint32_t crc) {
     char line[64];
-    std::snprintf(line, sizeof(line), "# end %zu %08x\n", count, static_cast<unsigned>(crc32(before)));
+    std::snprintf(line, sizeof(line), "# end %zu %08x\n", count, static_cast<unsigned>(crc));
     return line;
 }
 
@@ -93,7 +95,7 @@ Result<void> checkWhole(std::string_view text, std::size_t count, const std::str
         return Error{"manifest.schema", file, "another version of the library wrote it",
                      "delete it: it is written anew"};
     const std::size_t end = text.rfind("# end ");
-    if (end == std::string_view::npos || text.substr(end) != endOf(count, text.substr(0, end)))
+    if (end == std::string_view::npos || text.substr(end) != endLine(count, crc32(text.substr(0, end))))
         return Error{"manifest.damaged", file, "it was cut, or changed after it was written",
                      "delete it: it is written anew"};
     return {};
@@ -101,18 +103,39 @@ Result<void> checkWhole(std::string_view text, std::size_t count, const std::str
 
 } // namespace
 
-std::string toManifest(std::span<const ProgramUse> uses) {
-    std::string text = heading();
+bool isByUs(std::string_view text) {
+    if (text.starts_with(kHeading))
+        return true;
+    // "# end 12 5d0b1a3c", and nothing else on the last line: a comment by hand may begin so as well.
+    const std::size_t line = text.find_last_of('\n', text.size() - std::min<std::size_t>(text.size(), 2)) + 1;
+    const std::string last(text.substr(line));
+    std::size_t count = 0;
+    unsigned crc = 0;
+    return std::sscanf(last.c_str(), "# end %zu %x", &count, &crc) == 2 && last.size() == endLine(count, crc).size();
+}
+
+bool isTorn(std::string_view text) {
+    return heading().starts_with(text) || text.find_first_not_of(std::string_view("\0 \t\r\n", 5)) == text.npos;
+}
+
+std::string manifestLinesOf(std::span<const ProgramUse> uses) {
+    std::string text;
     for (const ProgramUse& use : uses)
         text += lineOf(use);
-    return text + endOf(uses.size(), text);
+    return text;
+}
+
+std::string toManifest(std::span<const ProgramUse> uses) {
+    const std::string text = heading() + manifestLinesOf(uses);
+    return text + endLine(uses.size(), crc32(text));
 }
 
 Result<std::vector<ProgramUse>> parseManifest(std::string_view text, const std::string& name) {
     if (text.size() > kMaxManifestBytes)
         return Error{"manifest.size", name, "it is larger than 1 MiB", "keep what is needed"};
+    text = withoutByteOrderMark(text);
     const std::vector<ManifestLine> lines = manifestLines(text);
-    const bool byUs = text.starts_with(kHeading) || text.find("\n# end ") != std::string_view::npos;
+    const bool byUs = isByUs(text);
     if (byUs) {
         if (Result<void> whole = checkWhole(text, lines.size(), name); !whole)
             return whole.error();
@@ -122,6 +145,9 @@ Result<std::vector<ProgramUse>> parseManifest(std::string_view text, const std::
     std::vector<ProgramUse> uses;
     for (const ManifestLine& line : lines) {
         const Result<ProgramUse> use = readLine(line, name);
+        // A whole text of ours with a word that we do not know: by a version that had other words.
+        if (!use && byUs)
+            return Error{"manifest.schema", use.error().where, use.error().what, "delete it: it is written anew"};
         if (!use)
             return use.error();
         uses.push_back(*use);

@@ -2,32 +2,82 @@
 #include "franken/manifest.h"
 
 #include "franken/file.h"
+#include "franken/file_writer.h"
+#include "manifest_text.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace franken {
 namespace {
 
 namespace fs = std::filesystem;
 
-bool writeAll(int descriptor, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t written = ::write(descriptor, text.data(), text.size());
-        if (written < 0 && errno != EINTR)
-            return false;
-        text.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-    }
-    return true;
+constexpr char kAnotherName[] = "name another file, or take this one away";
+
+/// What a manifest would be written over.
+struct Existing {
+    enum class Kind : std::uint8_t {
+        Nothing, ///< No file, a damaged one, or another version's: written anew.
+        Ours,
+        ByHand, ///< With comments that we would not write again.
+        Stream, ///< No regular file: written to as it is.
+    };
+    Kind kind = Kind::Nothing;
+    std::string text;
+    std::vector<ProgramUse> uses;
+};
+
+Error writeError(const Error& error) {
+    return {"manifest.write", error.where, error.what, error.remedy};
 }
 
-bool writeToDisk(const fs::path& file, std::string_view text) {
-    const Descriptor out(::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0644));
-    return out && writeAll(out.number(), text) && ::fsync(out.number()) == 0;
+Error foreign(const fs::path& file, const std::string& why) {
+    return {"manifest.foreign", file.string(), "it is no manifest, and is left as it is: " + why, kAnotherName};
+}
+
+// A file that cannot be read or that someone else made is an error: nothing is lost by a disk's bad day.
+Result<Existing> look(const fs::path& file) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file, ignored);
+    if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+        return Existing{Existing::Kind::Stream, "", {}};
+    auto bytes = readFileIfThere(file, kMaxManifestBytes);
+    if (!bytes && bytes.error().code == "file.size")
+        return foreign(file, bytes.error().what);
+    if (!bytes)
+        return writeError(bytes.error());
+    if (!*bytes)
+        return Existing{};
+    std::string text((*bytes)->begin(), (*bytes)->end());
+    if (isTorn(text))
+        return Existing{};
+    auto uses = parseManifest(text, file.string());
+    if (uses)
+        return Existing{isByUs(text) ? Existing::Kind::Ours : Existing::Kind::ByHand, std::move(text),
+                        *std::move(uses)};
+    if (uses.error().code == "manifest.damaged" || uses.error().code == "manifest.schema")
+        return Existing{};
+    if (uses.error().code == "manifest.empty")
+        return Existing{Existing::Kind::ByHand, std::move(text), {}};
+    return foreign(file, uses.error().where + ": " + uses.error().what);
+}
+
+Result<void> write(const fs::path& file, const std::string& text) {
+    if (text.size() > kMaxManifestBytes)
+        return Error{"manifest.size", file.string(), "it would be larger than 1 MiB",
+                     "delete it: it is written anew"};
+    if (const Result<void> written = writeFile(file, text); !written)
+        return writeError(written.error());
+    return {};
+}
+
+std::vector<ProgramUse> missingIn(const std::vector<ProgramUse>& known, std::span<const ProgramUse> uses) {
+    std::vector<ProgramUse> missing;
+    for (const ProgramUse& use : uses)
+        if (std::find(known.begin(), known.end(), use) == known.end() &&
+            std::find(missing.begin(), missing.end(), use) == missing.end())
+            missing.push_back(use);
+    return missing;
 }
 
 } // namespace
@@ -53,33 +103,36 @@ std::vector<ProgramUse> readManifestOrNothing(const fs::path& file, const Log& l
 }
 
 Result<void> writeManifest(const fs::path& file, std::span<const ProgramUse> uses) {
-    const fs::path part = file.string() + ".part";
-    if (!writeToDisk(part, toManifest(uses)) || ::rename(part.c_str(), file.c_str()) != 0) {
-        const std::string reason = std::strerror(errno);
-        ::unlink(part.c_str());
-        return Error{"manifest.write", file.string(), "cannot be written: " + reason,
-                     "name a file on a disk that has room and can be written"};
-    }
-    // So that the new name outlives a power cut as well; where a file system cannot, it did what it can.
-    const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-    if (const Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); directory)
-        ::fsync(directory.number());
-    return {};
+    const Result<FileLock> lock = FileLock::take(file);
+    if (!lock)
+        return writeError(lock.error());
+    const Result<Existing> existing = look(file);
+    if (!existing)
+        return existing.error();
+    if (existing->kind == Existing::Kind::ByHand)
+        return foreign(file, "someone wrote it by hand");
+    return write(file, toManifest(uses));
 }
 
 Result<void> appendToManifest(const fs::path& file, std::span<const ProgramUse> uses) {
-    Result<std::vector<ProgramUse>> known = readManifest(file);
-    std::vector<ProgramUse> all = known ? *std::move(known) : std::vector<ProgramUse>();
-    const std::size_t before = all.size();
-    for (const ProgramUse& use : uses)
-        if (std::find(all.begin(), all.end(), use) == all.end())
-            all.push_back(use);
-    if (all.size() == before)
+    const Result<FileLock> lock = FileLock::take(file);
+    if (!lock)
+        return writeError(lock.error());
+    Result<Existing> existing = look(file);
+    if (!existing)
+        return existing.error();
+    std::vector<ProgramUse> missing = missingIn(existing->uses, uses);
+    if (missing.empty())
         return {};
-    if (toManifest(all).size() > kMaxManifestBytes)
-        return Error{"manifest.size", file.string(), "it would be larger than 1 MiB",
-                     "delete it: it is written anew"};
-    return writeManifest(file, all);
+    if (existing->kind == Existing::Kind::ByHand) {
+        std::string& text = existing->text;
+        if (!text.empty() && text.back() != '\n')
+            text += '\n';
+        return write(file, text + manifestLinesOf(missing));
+    }
+    std::vector<ProgramUse> all = std::move(existing->uses);
+    all.insert(all.end(), missing.begin(), missing.end());
+    return write(file, toManifest(all));
 }
 
 } // namespace franken

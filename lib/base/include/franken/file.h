@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "franken/api.h"
@@ -33,6 +34,11 @@ private:
 ///
 /// `where` is the path.
 Result<std::vector<std::uint8_t>> readFile(const std::filesystem::path& path, std::size_t maxBytes);
+
+/// The same, but a file that is not there is no error: nothing is returned. For who would write it anew, and
+/// must not take a disk that cannot be read for a first start.
+Result<std::optional<std::vector<std::uint8_t>>> readFileIfThere(const std::filesystem::path& path,
+                                                                 std::size_t maxBytes);
 
 /// The file of that name in `folder` or below, without symbolic links. Fails with "file.outside" where the
 /// name is absolute, or leads out of the folder by ".." or by a symbolic link; with "file.open" where there

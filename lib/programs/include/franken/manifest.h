@@ -44,12 +44,18 @@ Result<std::vector<ProgramUse>> readManifest(const std::filesystem::path& file);
 /// The same for a start: where it fails, one line says why, and nothing is warmed up.
 std::vector<ProgramUse> readManifestOrNothing(const std::filesystem::path& file, const Log& log);
 
-/// Writes beside the file, to `FILE.part`, brings that to the disk and renames it: the file is the old one or
-/// the whole new one, whenever the power goes. Fails with "manifest.write", and leaves the file as it was.
+/// Writes the list: the file is the old one or the whole new one, whenever the power goes (file_writer.h says
+/// how). Only a file that is missing, is by us, or was by us and is damaged or of another schema is replaced.
+/// Fails, and leaves the file as it was, with
+///
+///     manifest.write     it cannot be written, or what is there cannot be read
+///     manifest.foreign   what is there is something else, or a list by hand
+///     manifest.size      it would be larger than kMaxManifestBytes
 Result<void> writeManifest(const std::filesystem::path& file, std::span<const ProgramUse> uses);
 
-/// Adds what is not in the file yet, and writes it if there is any. What cannot be read is replaced. Fails as
-/// writeManifest() does, and with "manifest.size" where the file would grow beyond kMaxManifestBytes.
+/// Adds what is not in the file yet, and writes it if there is any. What others add at the same time, threads
+/// or processes, stays. A list by hand keeps its text and comments, and gets lines at its end. Fails as
+/// writeManifest() does.
 Result<void> appendToManifest(const std::filesystem::path& file, std::span<const ProgramUse> uses);
 
 } // namespace franken

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+
+#include <string>
+#include <string_view>
+
+namespace FRANKEN_API franken {
+
+/// Text from outside (a file, its name, an argument) as a terminal can show it without being steered by it:
+/// control characters, those that turn the direction of writing or are invisible, and bytes that are no UTF-8
+/// become escapes (\n, \t, \x1b, \u{202e}). All else stays as it is.
+std::string printable(std::string_view text);
+
+/// The same, but line ends and tabs stay: for messages of several lines, and for whole files.
+std::string printableLines(std::string_view text);
+
+/// UTF-8 that a Windows editor saved may begin with U+FEFF, which belongs to no text.
+inline std::string_view withoutByteOrderMark(std::string_view text) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    return text.starts_with(kMark) ? text.substr(kMark.size()) : text;
+}
+
+} // namespace franken

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// Writers and readers whose disk is full, broken or cut off at each system call, and several writers of one manifest:
+// nothing is lost, nothing is half there, and nothing of others is written over.
+#include "franken/manifest.h"
+#include "support/shell.h"
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <thread>
+
+namespace franken::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kKilled = 0;
+constexpr int kFaults[] = {ENOSPC, EIO, EMFILE, ENOMEM, EACCES, kKilled};
+constexpr int kMostCalls = 60; // No more than that are made.
+
+class FaultTest : public testing::Test {
+protected:
+    fs::path file() const { return m_folder / "disk" / "kiosk.txt"; }
+
+    void put(const std::string& text) const {
+        fs::remove_all(file().parent_path());
+        fs::create_directories(file().parent_path());
+        if (!text.empty())
+            std::ofstream(file(), std::ios::binary) << text;
+    }
+
+    std::size_t filesThere() const {
+        return static_cast<std::size_t>(std::distance(fs::directory_iterator(file().parent_path()), {}));
+    }
+
+    // Exit code, or 128 + 9 where it was killed.
+    Outcome act(const std::string& what, int call, int error) const {
+        return runIn(m_folder, "FRANKEN_FAULT='" + std::to_string(call) + " " + std::to_string(error) + "' " +
+                                   FAULTY_CALLS + " " + what);
+    }
+
+    // Does `what` with each fault at each call, until there is no such call; `check` hears whether it succeeded.
+    template<typename Check>
+    void atEachCall(const std::string& before, const std::string& what, Check check) const {
+        int faults = 0;
+        for (const int error : kFaults)
+            for (int call = 1;; ++call) {
+                SCOPED_TRACE("call " + std::to_string(call) + ", errno " + std::to_string(error));
+                ASSERT_LT(call, kMostCalls);
+                put(before);
+                const Outcome outcome = act(what, call, error);
+                const bool killed = outcome.code == 128 + SIGKILL;
+                ASSERT_TRUE(outcome.code == 0 || outcome.code == 1 || killed) << outcome.out << outcome.err;
+                const bool reached = killed || std::stoi(outcome.out) >= call;
+                check(outcome.code == 0);
+                if (!killed) {
+                    EXPECT_LE(filesThere(), 1u) << "a temporary file is left";
+                }
+                if (!reached)
+                    break;
+                ++faults;
+            }
+        EXPECT_GE(faults, 12) << "the calls are not those of the program";
+    }
+
+    const fs::path m_folder = emptyTestFolder();
+};
+
+std::string manifestOf(const std::string& names) { return toManifest(*parseManifest(names, "names")); }
+
+std::size_t countIn(const fs::path& file) {
+    const auto uses = readManifest(file);
+    return uses ? uses->size() : 0;
+}
+
+const std::string kTwenty = [] {
+    std::string names;
+    for (const char* material : {"surface", "basecolor", "metalrough", "vertexcolor", "double"})
+        for (const char* lights : {"sun1", "sun2", "sun4", "sun3"})
+            names += std::string(material) + "+" + lights + "\n";
+    return names;
+}();
+
+TEST_F(FaultTest, AppendingKeepsAllTwentyPrograms) {
+    const std::string before = manifestOf(kTwenty);
+    const std::size_t programs = parseManifest(before, "")->size();
+    atEachCall(before, "append disk/kiosk.txt mask+sun1", [&](bool succeeded) {
+        const std::size_t now = countIn(file());
+        EXPECT_TRUE(now == programs + 1 || (!succeeded && now == programs)) << now;
+    });
+}
+
+TEST_F(FaultTest, AFirstManifestIsWholeOrNotThere) {
+    atEachCall("", "append disk/kiosk.txt mask+sun1", [&](bool succeeded) {
+        if (succeeded || fs::exists(file())) {
+            EXPECT_EQ(countIn(file()), 1u);
+        }
+    });
+}
+
+TEST_F(FaultTest, AListByHandKeepsItsComments) {
+    const std::string before = "# the shop window\nsun1   # noon\n";
+    atEachCall(before, "append disk/kiosk.txt mask+sun1", [&](bool succeeded) {
+        const std::string now = readText(file());
+        EXPECT_TRUE(now == before + "mask+sun1\n" || (!succeeded && now == before)) << now;
+    });
+}
+
+TEST_F(FaultTest, AReaderNeverTakesAPart) {
+    const std::string before = manifestOf(kTwenty);
+    atEachCall(before, "read disk/kiosk.txt", [&](bool) { EXPECT_EQ(readText(file()), before); });
+}
+
+TEST_F(FaultTest, AFileIsTheOldOneOrTheNewOne) {
+    atEachCall("old", "write disk/kiosk.txt 'the new text'", [&](bool succeeded) {
+        const std::string now = readText(file());
+        EXPECT_TRUE(now == "the new text" || (!succeeded && now == "old")) << now;
+    });
+}
+
+struct Foreign {
+    const char* what;
+    std::string text;
+};
+
+TEST_F(FaultTest, WhatIsNoManifestIsLeftAlone) {
+    for (const auto& [what, text] : {
+             Foreign{"a note", "Buy milk.\n"},
+             {"a note with an end", "Buy milk.\n# end of the list\n"},
+             {"a picture", std::string("\x89PNG\r\n\x1a\n\0\0", 10)},
+             {"a list with a typo", "nromal+sun1\n"},
+             {"a large file", std::string(kMaxManifestBytes + 1, 'x')},
+         }) {
+        put(text);
+        const auto appended = appendToManifest(file(), *parseManifest("sun1", ""));
+        ASSERT_FALSE(appended) << what;
+        EXPECT_EQ(appended.error().code, "manifest.foreign") << what;
+        EXPECT_FALSE(appended.error().remedy.empty());
+        EXPECT_EQ(writeManifest(file(), *parseManifest("sun1", "")).error().code, "manifest.foreign") << what;
+        EXPECT_EQ(readText(file()), text) << what;
+    }
+}
+
+TEST_F(FaultTest, WhatWasOursIsWrittenAnew) {
+    const std::string whole = manifestOf(kTwenty);
+    std::string changed = whole;
+    changed[whole.size() / 2] ^= 1;
+    for (const auto& [what, text] : {
+             Foreign{"nothing", ""},
+             {"an empty file", "\n"},
+             {"zeros after a power cut", std::string(4096, '\0')},
+             {"a cut", whole.substr(0, whole.size() / 2)},
+             {"a cut in the first line", whole.substr(0, 9)},
+             {"a changed bit", changed},
+             {"another schema", "# FrankenShader manifest, schema 99\nfuture+words\n"},
+         }) {
+        put(text);
+        const auto appended = appendToManifest(file(), *parseManifest("sun1", ""));
+        EXPECT_TRUE(appended) << what << ": " << (appended ? "" : toString(appended.error()));
+        EXPECT_EQ(countIn(file()), 1u) << what;
+    }
+}
+
+// Two and eight processes add programs of their own, while a reader looks: it never sees a part.
+TEST_F(FaultTest, SeveralWritersLoseNothing) {
+    const auto uses = *parseManifest(kTwenty, "");
+    for (const std::size_t writers : {2u, 8u}) {
+        put(manifestOf("unlit"));
+        std::string command;
+        for (std::size_t i = 0; i < writers; ++i) {
+            command += "( ";
+            for (std::size_t j = i; j < uses.size(); j += writers)
+                command += std::string(FAULTY_CALLS) + " append disk/kiosk.txt " + toName(uses[j].permutation) + " || exit 1; ";
+            command += ") & pids=\"$pids $!\"; ";
+        }
+        command += "for pid in $pids; do wait $pid || echo failed; done";
+        std::atomic<bool> done = false;
+        std::size_t wrong = 0, looks = 0;
+        std::thread writer([&] {
+            EXPECT_EQ(runIn(m_folder, command).out.find("failed"), std::string::npos);
+            done = true;
+        });
+        for (std::size_t last = 1; !done; ++looks) {
+            const std::size_t now = countIn(file());
+            wrong += now < last;
+            last = now;
+        }
+        writer.join();
+        EXPECT_EQ(wrong, 0u) << "of " << looks;
+        EXPECT_EQ(countIn(file()), uses.size() + 1) << writers;
+        EXPECT_EQ(filesThere(), 1u);
+    }
+}
+
+} // namespace
+} // namespace franken::test

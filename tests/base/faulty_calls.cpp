@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+// The system calls of lib/base, one of which fails. They are defined in this program, so that the linker takes them
+// instead of the C library's. FRANKEN_FAULT is "N ERRNO": call N and all after it fail with that number, or with
+// ERRNO 0 the process ends there as by a power cut. The calls are counted from countCalls() on.
+#include "faulty_calls.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+namespace {
+
+int g_calls = -1; // Not counted yet.
+int g_at = 0, g_error = 0;
+
+// Whether this call is to fail.
+bool fails() {
+    if (g_calls < 0 || ++g_calls < g_at || g_at == 0)
+        return false;
+    if (g_error == 0)
+        raise(SIGKILL);
+    errno = g_error;
+    return true;
+}
+
+int modeOf(int flags, va_list arguments) { return (flags & O_CREAT) != 0 ? va_arg(arguments, int) : 0; }
+
+} // namespace
+
+int countCalls() {
+    if (g_calls < 0) {
+        if (const char* fault = std::getenv("FRANKEN_FAULT"))
+            std::sscanf(fault, "%d %d", &g_at, &g_error);
+        g_calls = 0;
+    }
+    return g_calls;
+}
+
+extern "C" {
+
+int open(const char* path, int flags, ...) {
+    va_list arguments;
+    va_start(arguments, flags);
+    const int mode = modeOf(flags, arguments);
+    va_end(arguments);
+    return fails() ? -1 : static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+}
+
+int openat(int folder, const char* path, int flags, ...) {
+    va_list arguments;
+    va_start(arguments, flags);
+    const int mode = modeOf(flags, arguments);
+    va_end(arguments);
+    return fails() ? -1 : static_cast<int>(syscall(SYS_openat, folder, path, flags, mode));
+}
+
+ssize_t read(int file, void* bytes, size_t count) { return fails() ? -1 : syscall(SYS_read, file, bytes, count); }
+
+ssize_t write(int file, const void* bytes, size_t count) {
+    // A disk that fills up takes a part first.
+    if (g_calls >= 0 && count > 1 && g_at > 0 && g_calls + 1 == g_at && g_error != 0) {
+        ++g_calls;
+        return syscall(SYS_write, file, bytes, count / 2);
+    }
+    return fails() ? -1 : syscall(SYS_write, file, bytes, count);
+}
+
+int fsync(int file) { return fails() ? -1 : static_cast<int>(syscall(SYS_fsync, file)); }
+int fchmod(int file, mode_t mode) { return fails() ? -1 : static_cast<int>(syscall(SYS_fchmod, file, mode)); }
+int flock(int file, int operation) { return fails() ? -1 : static_cast<int>(syscall(SYS_flock, file, operation)); }
+
+int renameat(int from, const char* old, int to, const char* name) {
+    return fails() ? -1 : static_cast<int>(syscall(SYS_renameat2, from, old, to, name, 0));
+}
+
+} // extern "C"
