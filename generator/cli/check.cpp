@@ -6,17 +6,10 @@
 #include "json.h"
 #include "selection.h"
 
+#include <algorithm>
+
 namespace franken::cli {
 namespace {
-
-std::vector<Profile> profilesFor(const std::vector<std::string>& names) {
-    std::vector<Profile> wanted;
-    for (const Profile& profile : profiles())
-        for (const std::string& name : names)
-            if (name == profile.name || name == "all")
-                wanted.push_back(profile);
-    return wanted;
-}
 
 void checkBudget(const Program& program, const Profile& profile, std::vector<Finding>& findings) {
     for (const Burst& burst : budgetFor(program, profile).bursts)
@@ -38,22 +31,38 @@ std::string lineOf(const Finding& finding) {
            (finding.where.empty() ? "" : " in " + finding.program) + "\n";
 }
 
+// A batch of programs is one process of glslang's: starting it takes longer than what it does for a program.
+constexpr std::size_t kBatch = 64;
+
+Result<void> checkBatch(const std::vector<Program>& batch, const std::vector<Profile>& profiles,
+                        const std::optional<Glslang>& glslang, std::vector<Finding>& findings) {
+    std::vector<std::vector<Finding>> external(batch.size());
+    if (glslang) {
+        auto found = glslang->check(batch);
+        if (!found)
+            return found.error();
+        external = *std::move(found);
+    }
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+        for (const Profile& profile : profiles)
+            checkBudget(batch[i], profile, findings);
+        checkLint(batch[i], findings);
+        findings.insert(findings.end(), external[i].begin(), external[i].end());
+    }
+    return {};
+}
+
 Result<std::vector<Finding>> checkAll(const std::vector<Permutation>& permutations,
                                       const std::vector<Profile>& profiles,
                                       const std::optional<Glslang>& glslang, Console& console) {
     std::vector<Finding> findings;
-    for (std::size_t i = 0; i < permutations.size(); ++i) {
-        console.progress("programs checked:", i, permutations.size());
-        const Program program(permutations[i]);
-        for (const Profile& profile : profiles)
-            checkBudget(program, profile, findings);
-        checkLint(program, findings);
-        if (!glslang)
-            continue;
-        const auto found = glslang->check(program);
-        if (!found)
-            return found.error();
-        findings.insert(findings.end(), found->begin(), found->end());
+    for (std::size_t begin = 0; begin < permutations.size(); begin += kBatch) {
+        console.progress("programs checked:", begin, permutations.size());
+        const auto first = permutations.begin() + static_cast<std::ptrdiff_t>(begin);
+        const std::size_t count = std::min(kBatch, permutations.size() - begin);
+        const std::vector<Program> batch(first, first + static_cast<std::ptrdiff_t>(count));
+        if (const Result<void> done = checkBatch(batch, profiles, glslang, findings); !done)
+            return done.error();
     }
     return findings;
 }
@@ -69,12 +78,13 @@ ExitCode run(const CheckOptions& options, Console& console) {
         return console.error(glslang.error()), ExitCode::Device;
     if (!*glslang)
         console.note("glslangValidator is not installed: it was not asked (Debian: glslang-tools)");
-    const auto findings = checkAll(*permutations, profilesFor(options.profiles), *glslang, console);
+    const auto findings = checkAll(*permutations, profilesOf(options.selection.profiles), *glslang, console);
     console.endProgress();
     if (!findings)
         return console.error(findings.error()), ExitCode::Device;
     if (options.json)
-        console.write(checkJson(permutations->size(), options.profiles, glslang->has_value(), *findings));
+        console.write(
+            checkJson(permutations->size(), options.selection.profiles, glslang->has_value(), *findings));
     else
         for (const Finding& finding : *findings)
             console.write(lineOf(finding));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "console.h"
 
+#include "franken/printable.h"
+
 #include <unistd.h>
 
 #include <cstdlib>
@@ -16,7 +18,7 @@ bool wantsColor() {
     const char* term = std::getenv("TERM");
     const bool refused = noColor && *noColor != '\0';
     const bool dumb = !term || std::string_view(term) == "dumb";
-    return isatty(STDOUT_FILENO) && !refused && !dumb;
+    return !refused && !dumb;
 }
 
 std::string_view codeOf(Style style) {
@@ -40,9 +42,16 @@ std::string_view codeOf(Style style) {
 } // namespace
 
 Console::Console()
-    : m_color(wantsColor()), m_progress(isatty(STDERR_FILENO)), m_nextProgress(Clock::now() + 500ms) {}
+    : m_terminal(isatty(STDOUT_FILENO)),
+      m_color(m_terminal && wantsColor()),
+      m_progress(isatty(STDERR_FILENO)),
+      m_nextProgress(Clock::now() + 500ms) {}
 
 void Console::write(std::string_view data) { std::cout << data; }
+
+std::string Console::foreign(std::string_view text) const {
+    return m_terminal ? printable(text) : std::string(text);
+}
 
 std::string Console::paint(Style style, std::string_view text) const {
     const std::string_view code = codeOf(style);
@@ -51,10 +60,26 @@ std::string Console::paint(Style style, std::string_view text) const {
     return "\033[" + std::string(code) + "m" + std::string(text) + "\033[0m";
 }
 
-void Console::note(std::string_view message) const { std::cerr << "frankenshader: " << message << '\n'; }
+void Console::note(std::string_view message) const {
+    std::cerr << "frankenshader: " << printable(message) << '\n';
+}
 
-void Console::error(const Error& error) const {
-    std::cerr << "frankenshader: error: " << toString(error) << '\n';
+void Console::error(const Error& error) {
+    endProgress();
+    if (m_errors.size() == kMaxErrors) {
+        ++m_errorsLeftOut;
+        return;
+    }
+    m_errors.push_back(error);
+    // `what` has lines of our own; a file's name has none.
+    const Error shown{error.code, printable(error.where), printableLines(error.what),
+                      printable(error.remedy)};
+    std::cerr << "frankenshader: error: " << toString(shown) << '\n';
+}
+
+void Console::endErrors() const {
+    if (m_errorsLeftOut > 0)
+        note("and " + std::to_string(m_errorsLeftOut) + " more errors");
 }
 
 void Console::dropped(std::string_view name, const std::vector<Dropped>& dropped) const {

@@ -1,39 +1,81 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "depfile.h"
+#include "dump_c.h"
+#include "franken/file_writer.h"
 #include "json.h"
 #include "program.h"
 #include "selection.h"
 #include "shader_test.h"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
+#include <functional>
+#include <optional>
 
 namespace franken::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-Error unwritable(const fs::path& path, const std::string& reason) {
-    return {"dump.write", path.string(), "cannot be written: " + reason,
-            "name a directory that can be written with -o"};
-}
+using Permutations = std::vector<Permutation>;
 
-// The old file or the whole new one, never half of it.
-Result<void> writeFile(const fs::path& path, std::string_view text) {
-    const fs::path part = path.string() + ".part";
-    errno = 0;
-    std::ofstream out(part, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out)
-        return unwritable(part, std::strerror(errno));
-    std::error_code failed;
-    fs::rename(part, path, failed);
-    if (failed)
-        return unwritable(path, failed.message());
-    return {};
+/// Standard output, or a file that is whole or not there.
+class Sink {
+public:
+    static Result<Sink> open(const std::string& output, Console& console) {
+        if (output.empty())
+            return Sink(console, std::nullopt);
+        Result<FileWriter> file = FileWriter::open(output);
+        if (!file)
+            return file.error();
+        return Sink(console, *std::move(file));
+    }
+
+    Result<void> write(std::string_view text) {
+        if (m_file)
+            return m_file->write(text);
+        m_console->write(text);
+        return {};
+    }
+
+    Result<void> finish() { return m_file ? m_file->commit() : Result<void>(); }
+
+private:
+    Sink(Console& console, std::optional<FileWriter> file) : m_console(&console), m_file(std::move(file)) {}
+
+    Console* m_console;
+    std::optional<FileWriter> m_file;
+};
+
+/// What else is done with each program of a document, and before the document is put in its place.
+struct Beside {
+    std::function<Result<void>(const Program&)> program = [](const Program&) { return Result<void>(); };
+    std::function<Result<void>()> end = [] { return Result<void>(); };
+};
+
+// One document of all programs, of which only one is in memory at a time.
+template<typename Document>
+Result<void> writeDocument(Document document, const std::string& output, const Permutations& permutations,
+                           Console& console, const Beside& beside = {}) {
+    Result<Sink> sink = Sink::open(output, console);
+    if (!sink)
+        return sink.error();
+    if (Result<void> written = sink->write(document.begin()); !written)
+        return written;
+    for (std::size_t i = 0; i < permutations.size(); ++i) {
+        console.progress("programs written:", i, permutations.size());
+        const Program program(permutations[i]);
+        if (Result<void> written = beside.program(program); !written)
+            return written;
+        if (Result<void> written = sink->write(document.program(program)); !written)
+            return written;
+    }
+    console.endProgress();
+    if (Result<void> written = sink->write(document.end()); !written)
+        return written;
+    if (Result<void> done = beside.end(); !done)
+        return done;
+    return sink->finish();
 }
 
 Result<void> writeProgram(const fs::path& directory, const Program& program) {
@@ -42,24 +84,22 @@ Result<void> writeProgram(const fs::path& directory, const Program& program) {
                                                          {".frag", program.composed.fragment.text},
                                                          {".shader_test", toShaderTest(program.composed)}};
     for (const auto& [extension, text] : files)
-        if (auto written = writeFile(file.string() + extension, text); !written)
+        if (auto written = writeFile(file.string() + extension, text, FileWriter::Sync::Later); !written)
             return written;
     return {};
 }
 
-Result<void> writeAll(const fs::path& directory, const std::vector<Program>& programs, Console& console) {
+Result<void> writeFolder(const fs::path& directory, const Permutations& permutations, Console& console) {
     std::error_code failed;
     fs::create_directories(directory, failed);
     if (failed)
-        return unwritable(directory, failed.message());
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-        console.progress("programs written:", i, programs.size());
-        if (auto written = writeProgram(directory, programs[i]); !written)
-            return written;
-    }
-    console.endProgress();
-    // Last, so that a directory with a manifest is a complete one.
-    return writeFile(directory / "manifest.json", dumpJson(programs, Texts::InFiles));
+        return Error{"file.write", directory.string(), "the folder cannot be made: " + failed.message(),
+                     "name a folder that can be written to"};
+    // Renamed into its place last, so that a folder with a manifest is a complete one.
+    return writeDocument(DumpJson(Texts::InFiles), (directory / "manifest.json").string(), permutations,
+                         console,
+                         {.program = [&](const Program& program) { return writeProgram(directory, program); },
+                          .end = [&] { return syncFolder(directory); }});
 }
 
 std::string textOf(const Program& program, std::optional<Stage> stage) {
@@ -68,29 +108,54 @@ std::string textOf(const Program& program, std::optional<Stage> stage) {
     return program.composed.vertex.text + "\n" + program.composed.fragment.text;
 }
 
+Result<void> writeAs(const DumpOptions& options, const Permutations& permutations, Console& console) {
+    switch (options.chosen()) {
+    case DumpFormat::Files:
+        return writeFolder(options.output, permutations, console);
+    case DumpFormat::Json:
+        return writeDocument(DumpJson(Texts::Inline), options.output, permutations, console);
+    case DumpFormat::C:
+        return writeDocument(DumpC(), options.output, permutations, console);
+    case DumpFormat::Text:
+        console.write(textOf(Program(permutations.front()), options.stage));
+        break;
+    }
+    return {};
+}
+
+// What the output changes with: the list of names, and this program, which has the snippets in it.
+Result<void> writeDepfile(const DumpOptions& options) {
+    if (options.depfile.empty())
+        return {};
+    std::vector<std::string> sources;
+    if (const std::string& manifest = options.selection.manifest; !manifest.empty() && manifest != "-")
+        sources.push_back(manifest);
+    std::error_code unknown;
+    if (const fs::path self = fs::read_symlink("/proc/self/exe", unknown); !unknown)
+        sources.push_back(self.string());
+    const bool files = options.chosen() == DumpFormat::Files;
+    const fs::path target = files ? fs::path(options.output) / "manifest.json" : fs::path(options.output);
+    return writeFile(options.depfile, depfileText(target.string(), sources));
+}
+
 } // namespace
 
 ExitCode run(const DumpOptions& options, Console& console) {
-    const auto selected = select(options.selection, console);
-    if (!selected)
+    const auto permutations = select(options.selection, console);
+    if (!permutations)
         return ExitCode::Refused;
-    const std::vector<Program> programs(selected->begin(), selected->end());
-    if (!options.directory.empty()) {
-        if (auto written = writeAll(options.directory, programs, console); !written) {
-            console.endProgress();
-            console.error(written.error());
-            return ExitCode::Device;
-        }
-        console.note(std::to_string(programs.size()) + " programs written to " + options.directory);
-    } else if (options.json) {
-        console.write(dumpJson(programs, Texts::Inline));
-    } else if (programs.size() == 1) {
-        console.write(textOf(programs.front(), options.stage));
-    } else {
-        console.error({"dump.several", "", std::to_string(programs.size()) + " programs are no one text",
-                       "write them to a directory with -o DIR, or use --json"});
+    if (options.chosen() == DumpFormat::Text && permutations->size() != 1) {
+        console.error({"dump.several", "", std::to_string(permutations->size()) + " programs are no one text",
+                       "write them to a directory with -o DIR, or use --format json or c"});
         return ExitCode::Usage;
     }
+    Result<void> written = writeAs(options, *permutations, console);
+    if (written)
+        written = writeDepfile(options);
+    if (!written)
+        return console.error(written.error()), ExitCode::Device;
+    if (!options.output.empty())
+        console.note(std::to_string(permutations->size()) + " programs written to " + options.output);
     return ExitCode::Ok;
 }
 

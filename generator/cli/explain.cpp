@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "explanation.h"
 #include "json.h"
+#include "selection.h"
 
 #include <algorithm>
 
@@ -53,10 +54,7 @@ void writeBudgets(Console& console, const std::vector<ProfileBudget>& budgets) {
 } // namespace
 
 ExitCode run(const ExplainOptions& options, Console& console) {
-    const auto parsed = parseName(options.name);
-    if (!parsed)
-        return console.error(parsed.error()), ExitCode::Refused;
-    const auto canonical = canonicalise(*parsed);
+    const Result<Canonical> canonical = readName(options.name);
     if (!canonical)
         return console.error(canonical.error()), ExitCode::Refused;
     const Explanation explanation(Program(canonical->permutation), canonical->dropped);

@@ -3,9 +3,11 @@
 
 #include "child_process.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <sstream>
 
 namespace franken::cli {
@@ -32,20 +34,40 @@ std::string read(const fs::path& path) {
     return text.str();
 }
 
+/// A file that was given to the compiler.
+struct Compiled {
+    std::size_t program;
+    const ComposedStage* stage;
+};
+
 // The compiler ends with a count of its errors, which is none of them.
-void addFindings(std::vector<Finding>& findings, const Program& program, std::string_view log,
-                 const ComposedStage& stage) {
-    const std::string annotated = annotateLog(log, stage);
-    for (const std::string_view line : linesOf(annotated)) {
-        const bool located = line.starts_with("ERROR: 0:") || line.starts_with("WARNING: 0:");
-        if (!located || line.find("compilation terminated") != std::string_view::npos)
-            continue;
-        const std::size_t bracket = line.rfind(" [generator/");
-        Finding finding{program.name, "glslang", "", std::string(line.substr(0, bracket)), ""};
-        if (bracket != std::string_view::npos)
-            finding.where = line.substr(bracket + 2, line.size() - bracket - 3);
-        findings.push_back(std::move(finding));
+bool isFinding(std::string_view line) {
+    return (line.starts_with("ERROR: 0:") || line.starts_with("WARNING: 0:")) &&
+           line.find("compilation terminated") == std::string_view::npos;
+}
+
+Finding findingOf(std::string_view line, const std::string& program, const ComposedStage& stage) {
+    const std::string annotated = annotateLog(line, stage);
+    const std::size_t bracket = annotated.rfind(" [generator/");
+    Finding finding{program, "glslang", "", annotated.substr(0, bracket), ""};
+    if (bracket != std::string::npos)
+        finding.where = annotated.substr(bracket + 2, annotated.find(']', bracket) - bracket - 2);
+    return finding;
+}
+
+// The log has each file's name on a line, and below it what there is to say of it.
+std::vector<std::vector<Finding>> findingsIn(const std::string& log, std::span<const Program> programs,
+                                             const std::map<std::string, Compiled, std::less<>>& files) {
+    std::vector<std::vector<Finding>> findings(programs.size());
+    const Compiled* current = nullptr;
+    for (const std::string_view line : linesOf(log)) {
+        if (const auto file = files.find(line); file != files.end())
+            current = &file->second;
+        else if (current && isFinding(line))
+            findings[current->program].push_back(
+                findingOf(line, programs[current->program].name, *current->stage));
     }
+    return findings;
 }
 
 } // namespace
@@ -62,22 +84,42 @@ Result<std::optional<Glslang>> Glslang::open() {
     return std::optional(Glslang(*std::move(folder)));
 }
 
-Result<std::vector<Finding>> Glslang::check(const Program& program) const {
-    const fs::path vertex = m_folder.path() / "shader.vert", fragment = m_folder.path() / "shader.frag";
+Result<std::vector<std::vector<Finding>>> Glslang::check(std::span<const Program> programs) const {
+    std::vector<std::string> arguments = {kProgram};
+    std::map<std::string, Compiled, std::less<>> files;
+    for (std::size_t i = 0; i < programs.size(); ++i)
+        for (const auto& [extension, stage] :
+             {std::pair{".vert", &Composed::vertex}, {".frag", &Composed::fragment}}) {
+            const fs::path file = m_folder.path() / (std::to_string(i) + extension);
+            if (!write(file, (programs[i].composed.*stage).text))
+                return cannotRun("no temporary file can be written to " + m_folder.path().string());
+            arguments.push_back(file.string());
+            files.emplace(file.string(), Compiled{i, &(programs[i].composed.*stage)});
+        }
     const fs::path output = m_folder.path() / "log";
-    if (!write(vertex, program.composed.vertex.text) || !write(fragment, program.composed.fragment.text))
-        return cannotRun("no temporary file can be written to " + m_folder.path().string());
-    const Outcome outcome = runProgram({kProgram, vertex.string(), fragment.string()}, {.out = output});
+    const Outcome outcome = runProgram(arguments, {.out = output});
     if (outcome.spawnError != 0)
         return cannotRun(std::strerror(outcome.spawnError));
-    const std::string log = read(output);
-    const std::size_t border = std::min(log.find(fragment.string()), log.size());
-    std::vector<Finding> findings;
-    addFindings(findings, program, std::string_view(log).substr(0, border), program.composed.vertex);
-    addFindings(findings, program, std::string_view(log).substr(border), program.composed.fragment);
-    if (outcome.exitCode != 0 && findings.empty())
-        findings.push_back(
-            {program.name, "glslang", "", "exit code " + std::to_string(outcome.exitCode), ""});
+    std::vector<std::vector<Finding>> findings = findingsIn(read(output), programs, files);
+    const bool explained = std::any_of(findings.begin(), findings.end(),
+                                       [](const std::vector<Finding>& each) { return !each.empty(); });
+    if (outcome.exitCode == 0 || (explained && outcome.exitCode < 128))
+        return findings;
+    if (programs.size() > 1)
+        return checkEach(programs);
+    findings.front().push_back(
+        {programs.front().name, "glslang", "", "exit code " + std::to_string(outcome.exitCode), ""});
+    return findings;
+}
+
+Result<std::vector<std::vector<Finding>>> Glslang::checkEach(std::span<const Program> programs) const {
+    std::vector<std::vector<Finding>> findings;
+    for (std::size_t i = 0; i < programs.size(); ++i) {
+        auto found = check(programs.subspan(i, 1));
+        if (!found)
+            return found;
+        findings.push_back(std::move(found->front()));
+    }
     return findings;
 }
 

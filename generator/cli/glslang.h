@@ -7,6 +7,7 @@
 #include "temporary_folder.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace franken::cli {
@@ -19,10 +20,13 @@ public:
     /// no temporary file can be written.
     static Result<std::optional<Glslang>> open();
 
-    /// What it has to say against the program, each line with the snippet it comes from.
-    Result<std::vector<Finding>> check(const Program& program) const;
+    /// What it has to say against each of the programs, each line with the snippet it comes from. All are
+    /// given to one process; where it does not survive them, each gets one of its own.
+    Result<std::vector<std::vector<Finding>>> check(std::span<const Program> programs) const;
 
 private:
+    Result<std::vector<std::vector<Finding>>> checkEach(std::span<const Program> programs) const;
+
     explicit Glslang(TemporaryFolder folder) : m_folder(std::move(folder)) {}
 
     TemporaryFolder m_folder;

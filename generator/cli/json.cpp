@@ -2,9 +2,11 @@
 #include "json.h"
 
 #include "franken/generator/choices.h"
+#include "franken/generator/pack.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace franken::cli {
@@ -15,7 +17,7 @@ using Json = nlohmann::ordered_json;
 Json document(const char* command) { return {{"schema", kJsonSchema}, {"command", command}}; }
 
 std::string print(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n"; // In ASCII: for terminals, too.
 }
 
 Json identity(const Permutation& permutation) {
@@ -46,6 +48,7 @@ Json toJson(const Interface& interface) {
                                     {"type", toGlsl(each.type)},
                                     {"count", each.count},
                                     {"block", toText(each.block)},
+                                    {"offset", fieldOffset(each.block, each.name)},
                                     {"stages", stagesOf(each)}});
     for (const Sampler& each : interface.samplers)
         json["samplers"].push_back({{"name", each.name},
@@ -148,13 +151,21 @@ std::string wordsJson() {
     return print(json);
 }
 
-std::string dumpJson(const std::vector<Program>& programs, Texts texts) {
-    Json json = document("dump");
-    json["programs"] = Json::array();
-    for (const Program& program : programs)
-        json["programs"].push_back(toJson(program, texts));
-    return print(json);
+std::string DumpJson::begin() const {
+    const std::string empty = print(document("dump"));
+    return empty.substr(0, empty.rfind('\n', empty.size() - 2)) + ",\n  \"programs\": [";
 }
+
+std::string DumpJson::program(const Program& program) {
+    std::string text = (m_first ? "\n    " : ",\n    ");
+    m_first = false;
+    const std::string json = print(toJson(program, m_texts));
+    for (const char c : std::string_view(json).substr(0, json.size() - 1))
+        text += c == '\n' ? "\n    " : std::string(1, c);
+    return text;
+}
+
+std::string DumpJson::end() const { return m_first ? "]\n}\n" : "\n  ]\n}\n"; }
 
 std::string explainJson(const Explanation& explanation) {
     Json json = document("explain");
@@ -181,6 +192,21 @@ std::string diffJson(const Program& first, const Program& second, const std::str
     return print(json);
 }
 
+std::string diffFolderJson(const std::string& folder, const std::vector<FolderProgram>& programs) {
+    Json json = document("diff");
+    json["against"] = folder;
+    json["same"] =
+        std::all_of(programs.begin(), programs.end(), [](const auto& each) { return each.same(); });
+    json["programs"] = Json::array();
+    for (const FolderProgram& each : programs) {
+        Json program = {{"name", each.name}, {"vertex", each.vertex}, {"fragment", each.fragment}};
+        if (!each.refused.empty())
+            program["refused"] = each.refused;
+        json["programs"].push_back(std::move(program));
+    }
+    return print(json);
+}
+
 std::string checkJson(std::size_t programs, const std::vector<std::string>& profiles, bool glslangAsked,
                       const std::vector<Finding>& findings) {
     Json json = document("check");
@@ -203,6 +229,14 @@ std::string costJson(const std::vector<Bill>& bills) {
     for (const Bill& bill : bills)
         for (const Priced& priced : bill.priced)
             json["costs"].push_back(toJson(bill.gpu, priced));
+    return print(json);
+}
+
+std::string errorsJson(const std::vector<Error>& errors) {
+    Json json = {{"schema", kJsonSchema}, {"errors", Json::array()}};
+    for (const Error& each : errors)
+        json["errors"].push_back(
+            {{"code", each.code}, {"where", each.where}, {"what", each.what}, {"remedy", each.remedy}});
     return print(json);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "diff_folder.h"
 #include "explanation.h"
 #include "finding.h"
 #include "priced.h"
@@ -24,11 +25,24 @@ std::string wordsJson();
 
 /// Whether the programs' texts are in files beside the document, which names them, or in the document.
 enum class Texts { InFiles, Inline };
-std::string dumpJson(const std::vector<Program>& programs, Texts texts);
+
+/// The document of `dump`, a piece at a time: begin(), program() for each, end().
+class DumpJson {
+public:
+    explicit DumpJson(Texts texts) : m_texts(texts) {}
+    std::string begin() const;
+    std::string program(const Program& program);
+    std::string end() const;
+
+private:
+    Texts m_texts;
+    bool m_first = true;
+};
 
 std::string explainJson(const Explanation& explanation);
 std::string diffJson(const Program& first, const Program& second, const std::string& vertex,
                      const std::string& fragment);
+std::string diffFolderJson(const std::string& folder, const std::vector<FolderProgram>& programs);
 std::string checkJson(std::size_t programs, const std::vector<std::string>& profiles, bool glslangAsked,
                       const std::vector<Finding>& findings);
 
@@ -38,5 +52,8 @@ struct Bill {
     std::vector<Priced> priced;
 };
 std::string costJson(const std::vector<Bill>& bills);
+
+/// What is answered in place of a document where a command fails.
+std::string errorsJson(const std::vector<Error>& errors);
 
 } // namespace franken::cli

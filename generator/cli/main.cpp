@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "commands.h"
+#include "json.h"
 
 #include <cstdio>
 #include <exception>
@@ -10,8 +11,11 @@ namespace {
 
 ExitCode runCommand(int argc, const char* const* argv) {
     Console console;
-    const Command command = parseCommandLine(argc, argv);
+    const Command command = parseCommandLine(argc, argv, console);
     const ExitCode code = std::visit([&](const auto& options) { return run(options, console); }, command);
+    console.endErrors();
+    if (console.answersInJson() && !console.errors().empty())
+        console.write(errorsJson(console.errors()));
     if (console.flush())
         return code;
     console.note("error: standard output cannot be written");

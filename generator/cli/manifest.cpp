@@ -1,49 +1,58 @@
 // SPDX-License-Identifier: MIT
 #include "manifest.h"
 
-#include "franken/generator/manifest.h"
-
+#include <array>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iostream>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace franken::cli {
 namespace {
 
-constexpr std::size_t kMaxBytes = 64U << 20U;
+constexpr char kNameAList[] = "name a file that lists permutations, one a line";
 
 Error unreadable(const std::string& file) {
-    return {"manifest.read", file, std::string("cannot be read: ") + std::strerror(errno),
-            "name a file that lists permutations, one a line"};
+    return {"manifest.read", file, std::string("cannot be read: ") + std::strerror(errno), kNameAList};
 }
 
-Result<std::vector<ManifestEntry>> readFrom(std::istream& in, const std::string& file) {
-    std::string text;
-    errno = 0;
-    for (std::string line; std::getline(in, line);) {
-        if (text.size() + line.size() > kMaxBytes)
-            return Error{"manifest.size", file, "this is no list of names: it is larger than 64 MiB",
-                         "name a file that lists permutations, one a line"};
-        text += line + '\n';
+// Pipes have no size to be asked for: what comes is counted.
+Result<void> readAll(int descriptor, Manifest& manifest) {
+    std::array<char, 65536> block;
+    while (true) {
+        const ssize_t count = read(descriptor, block.data(), block.size());
+        if (count < 0 && errno == EINTR)
+            continue;
+        if (count < 0)
+            return unreadable(manifest.file);
+        if (count == 0)
+            return {};
+        manifest.text.append(block.data(), static_cast<std::size_t>(count));
+        if (manifest.text.size() > kMaxListBytes)
+            return Error{"manifest.size", manifest.file, "this is no list of names: it is larger than 4 MiB",
+                         kNameAList};
     }
-    if (in.bad())
-        return unreadable(file);
-    std::vector<ManifestEntry> entries;
-    for (const ManifestLine& line : manifestLines(text))
-        entries.push_back({std::string(line.name), file + ":" + std::to_string(line.number)});
-    return entries;
 }
 
 } // namespace
 
-Result<std::vector<ManifestEntry>> readManifest(const std::string& file) {
-    if (file == "-")
-        return readFrom(std::cin, "<stdin>");
-    std::ifstream in(file);
-    if (!in)
+Result<std::unique_ptr<Manifest>> readManifest(const std::string& file) {
+    const bool standardInput = file == "-";
+    auto manifest = std::make_unique<Manifest>();
+    manifest->file = standardInput ? "<stdin>" : file;
+    const int descriptor = standardInput ? STDIN_FILENO : open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
+    if (descriptor < 0)
         return unreadable(file);
-    return readFrom(in, file);
+    const Result<void> read = readAll(descriptor, *manifest);
+    if (!standardInput)
+        close(descriptor);
+    if (!read)
+        return read.error();
+    manifest->lines = manifestLines(manifest->text);
+    if (manifest->lines.empty())
+        return Error{"manifest.empty", manifest->file, "it lists no program", kNameAList};
+    return manifest;
 }
 
 } // namespace franken::cli

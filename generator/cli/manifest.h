@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/generator/manifest.h"
 #include "franken/result.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace franken::cli {
 
-struct ManifestEntry {
-    std::string name;
-    std::string where; ///< "warm.txt:12"
+/// A list of names, as manifestLines() takes it.
+struct Manifest {
+    std::string file; ///< As errors call it: "warm.txt", "<stdin>".
+    std::string text;
+    std::vector<ManifestLine> lines; ///< Views of the text.
 };
 
-/// Reads a list of names, as manifestLines() takes it; states are passed over. "-" is standard input.
-/// The names are not looked at. Fails with "manifest.read" where the file cannot be read, and with
-/// "manifest.size" from 64 MiB on, which no list of names has.
-Result<std::vector<ManifestEntry>> readManifest(const std::string& file);
+/// The longest list of names that is read, in bytes: some forty thousand names.
+inline constexpr std::size_t kMaxListBytes = std::size_t{4} << 20U;
+
+/// Reads a list of names from a file, a pipe, or standard input ("-"). The names are not looked at. Fails
+/// with "manifest.read" where it cannot be read, with "manifest.size" beyond kMaxListBytes, and with
+/// "manifest.empty" where it lists nothing.
+Result<std::unique_ptr<Manifest>> readManifest(const std::string& file);
 
 } // namespace franken::cli

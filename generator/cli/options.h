@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "console.h"
 #include "exit_code.h"
 #include "franken/generator/permutation.h"
 
@@ -19,12 +20,14 @@ struct Shard {
 /// Which permutations a command is about. At most one of names, covering and manifest is given; without
 /// them it is the whole space, simplest first. The filters apply to all.
 struct SelectionOptions {
-    std::vector<std::string> names;
+    std::vector<std::string> names; ///< Or keys, "0x...".
     bool covering = false;
     std::string manifest; ///< A file, "-" for standard input; empty for none.
     std::vector<std::string> with, without, where;
     std::optional<std::size_t> limit; ///< 0 for none.
     Shard shard;
+    bool fits = false;                 ///< Only what fits in each of the profiles.
+    std::vector<std::string> profiles; ///< By name, or "all".
 
     bool filtered() const { return !with.empty() || !without.empty() || !where.empty(); }
     bool empty() const { return names.empty() && !covering && manifest.empty() && !filtered(); }
@@ -37,11 +40,24 @@ struct ListOptions {
     bool json = false;
 };
 
+/// What `dump` writes.
+enum class DumpFormat : std::uint8_t {
+    Text,  ///< One program's stages.
+    Files, ///< A folder with a file a stage, and a manifest.json.
+    Json,  ///< One document.
+    C,     ///< One header.
+};
+
 struct DumpOptions {
     SelectionOptions selection;
-    std::string directory; ///< Empty: one program to standard output.
+    std::optional<DumpFormat> format; ///< Else Files where there is an output, Text where there is none.
+    std::string output;               ///< A folder for Files, a file for others; empty: standard output.
+    std::string depfile;              ///< Empty for none.
     std::optional<Stage> stage;
-    bool json = false;
+
+    DumpFormat chosen() const {
+        return format.value_or(output.empty() ? DumpFormat::Text : DumpFormat::Files);
+    }
 };
 
 struct ExplainOptions {
@@ -50,13 +66,13 @@ struct ExplainOptions {
 };
 
 struct DiffOptions {
-    std::string first, second;
+    std::vector<std::string> names; ///< Two, where nothing is named in `against`.
+    std::string against;            ///< A folder that `dump -o` wrote; empty for none.
     bool json = false;
 };
 
 struct CheckOptions {
     SelectionOptions selection;
-    std::vector<std::string> profiles; ///< By name, or "all".
     bool json = false;
 };
 
@@ -66,11 +82,11 @@ struct CostOptions {
     bool json = false;
 };
 
-/// A parsed command line, or the exit code where there is nothing left to do: --help, --version, or a
-/// mistake that has been reported.
+/// A parsed command line, or the exit code where there is nothing left to do: help, the version,
+/// completions, or a mistake that has been reported.
 using Command =
     std::variant<ExitCode, ListOptions, DumpOptions, ExplainOptions, DiffOptions, CheckOptions, CostOptions>;
 
-Command parseCommandLine(int argc, const char* const* argv);
+Command parseCommandLine(int argc, const char* const* argv, Console& console);
 
 } // namespace franken::cli

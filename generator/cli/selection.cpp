@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "selection.h"
 
+#include "franken/generator/compose.h"
 #include "franken/generator/covering.h"
 #include "franken/generator/space.h"
+#include "franken/printable.h"
 #include "manifest.h"
+#include "program.h"
 
+#include <algorithm>
+#include <memory>
 #include <set>
 
 namespace franken::cli {
@@ -31,46 +36,69 @@ Result<void> applyWhere(Space& space, std::string_view text) {
 Result<Space> spaceOf(const SelectionOptions& options) {
     Space space;
     for (const std::string& word : options.with)
-        if (auto narrowed = space.require(word); !narrowed)
+        if (auto narrowed = space.require(printable(word)); !narrowed)
             return narrowed.error();
     for (const std::string& word : options.without)
-        if (auto narrowed = space.forbid(word); !narrowed)
+        if (auto narrowed = space.forbid(printable(word)); !narrowed)
             return narrowed.error();
     for (const std::string& text : options.where)
-        if (auto narrowed = applyWhere(space, text); !narrowed)
+        if (auto narrowed = applyWhere(space, printable(text)); !narrowed)
             return narrowed.error();
     return space;
 }
 
-std::optional<Permutations> resolveAll(const std::vector<ManifestEntry>& entries, Console& console) {
+class Fits {
+public:
+    explicit Fits(const SelectionOptions& options) {
+        if (options.fits)
+            m_profiles = profilesOf(options.profiles);
+    }
+
+    bool operator()(const Permutation& permutation) const {
+        if (m_profiles.empty())
+            return true;
+        const Composed program = compose(permutation);
+        return std::all_of(m_profiles.begin(), m_profiles.end(),
+                           [&](const Profile& profile) { return budget(program.interface, profile).fits(); });
+    }
+
+private:
+    std::vector<Profile> m_profiles;
+};
+
+std::optional<Permutations> readNames(const std::string& file, Console& console) {
+    const auto manifest = readManifest(file);
+    if (!manifest)
+        return console.error(manifest.error()), std::nullopt;
     Permutations permutations;
+    std::set<Key> seen;
     bool refused = false;
-    for (const ManifestEntry& entry : entries)
-        if (const auto permutation = resolve(entry.name, entry.where, console))
-            permutations.push_back(*permutation);
-        else
+    for (const ManifestLine& line : (*manifest)->lines) {
+        const auto permutation =
+            resolve(line.name, (*manifest)->file + ":" + std::to_string(line.number), console);
+        if (!permutation)
             refused = true;
+        else if (seen.insert(toKey(*permutation)).second)
+            permutations.push_back(*permutation);
+    }
     if (refused)
         return std::nullopt;
     return permutations;
 }
 
 // What names, manifest or covering set list; nothing where one of them was refused.
-std::optional<Permutations> listed(const SelectionOptions& options, Console& console) {
+std::optional<Permutations> listed(const SelectionOptions& options, const Fits& fits, Console& console) {
     if (options.covering)
-        return coveringSet();
-    std::vector<ManifestEntry> entries;
+        return options.fits ? coveringSet(fits) : coveringSet();
+    if (!options.manifest.empty())
+        return readNames(options.manifest, console);
+    Permutations permutations;
     for (const std::string& name : options.names)
-        entries.push_back({name, ""});
-    if (!options.manifest.empty()) {
-        auto manifest = readManifest(options.manifest);
-        if (!manifest) {
-            console.error(manifest.error());
-            return std::nullopt;
-        }
-        entries = std::move(*manifest);
-    }
-    return resolveAll(entries, console);
+        if (const auto permutation = resolve(name, "", console))
+            permutations.push_back(*permutation);
+    if (permutations.size() < options.names.size())
+        return std::nullopt;
+    return permutations;
 }
 
 class Sieve {
@@ -91,6 +119,7 @@ public:
 
     Selected finish(std::uint64_t product) {
         m_selected.product = product;
+        m_selected.offered = m_offered;
         return m_selected;
     }
 
@@ -104,21 +133,33 @@ private:
 
 } // namespace
 
+Result<Canonical> readName(std::string_view name) {
+    // Escaped first: the error quotes it above a row of carets.
+    const Result<Permutation> named =
+        name.starts_with("0x") ? permutationOf(name) : parseName(printable(name));
+    return named ? canonicalise(*named) : Result<Canonical>(named.error());
+}
+
 std::optional<Permutation> resolve(std::string_view name, std::string_view where, Console& console) {
-    const auto refuse = [&](Error error) {
+    const Result<Canonical> canonical = readName(name);
+    if (!canonical) {
+        Error error = canonical.error();
         if (!where.empty())
             error.where = std::string(where) + (error.where.empty() ? "" : ": " + error.where);
         console.error(error);
         return std::nullopt;
-    };
-    const auto parsed = parseName(name);
-    if (!parsed)
-        return refuse(parsed.error());
-    const auto canonical = canonicalise(*parsed);
-    if (!canonical)
-        return refuse(canonical.error());
+    }
     console.dropped(name, canonical->dropped);
     return canonical->permutation;
+}
+
+std::vector<Profile> profilesOf(const std::vector<std::string>& names) {
+    std::vector<Profile> wanted;
+    for (const Profile& profile : profiles())
+        if (std::any_of(names.begin(), names.end(),
+                        [&](const std::string& name) { return name == profile.name || name == "all"; }))
+            wanted.push_back(profile);
+    return wanted;
 }
 
 std::optional<Selected> select(const SelectionOptions& options, Console& console,
@@ -129,20 +170,21 @@ std::optional<Selected> select(const SelectionOptions& options, Console& console
         return std::nullopt;
     }
     const bool wholeSpace = options.names.empty() && !options.covering && options.manifest.empty();
+    const Fits fits(options);
     Sieve sieve(options.limit.value_or(wholeSpace ? kDefaultLimit : 0), options.shard, visit);
     if (wholeSpace) {
         space->forEachCanonical(
-            [&](const Permutation& permutation) { return sieve.offer(permutation); },
+            [&](const Permutation& permutation) { return !fits(permutation) || sieve.offer(permutation); },
             [&](std::uint64_t tried) { console.progress("candidates tried:", tried, 0); });
         console.endProgress();
         return sieve.finish(space->product());
     }
-    const auto permutations = listed(options, console);
+    const auto permutations = listed(options, fits, console);
     if (!permutations)
         return std::nullopt;
     std::set<Key> seen;
     for (const Permutation& permutation : *permutations)
-        if (space->contains(permutation) && seen.insert(toKey(permutation)).second &&
+        if (space->contains(permutation) && seen.insert(toKey(permutation)).second && fits(permutation) &&
             !sieve.offer(permutation))
             break;
     return sieve.finish(space->product());
@@ -154,6 +196,10 @@ std::optional<Permutations> select(const SelectionOptions& options, Console& con
         options, console, [&](const Permutation& permutation) { permutations.push_back(permutation); });
     if (!selected)
         return std::nullopt;
+    if (selected->offered == 0) {
+        console.error({"selection.empty", "", "no permutation is selected", "loosen the filters"});
+        return std::nullopt;
+    }
     if (!selected->complete)
         console.note("stopped at the limit of " + std::to_string(options.limit.value_or(kDefaultLimit)) +
                      "; see --limit");

@@ -17,6 +17,8 @@ std::optional<Permutation> canonicalOrNone(const Permutation& permutation) {
     return canonical ? std::optional(canonical->permutation) : std::nullopt;
 }
 
+using Accept = std::function<bool(const Permutation&)>;
+
 // Any permutation without contradictions. Most are lit surfaces: elsewhere most choices mean nothing.
 // (No distribution of <random> is used, as each library has its own.)
 Permutation randomPermutation(std::mt19937_64& random) {
@@ -102,7 +104,7 @@ private:
 };
 
 // Climbs, one choice at a time, to a neighbour that covers more.
-Permutation improve(Permutation best, Triples& triples) {
+Permutation improve(Permutation best, Triples& triples, const Accept& accept) {
     std::size_t most = triples.look(best);
     for (const Choice& choice : choices()) {
         const Permutation base = best;
@@ -110,7 +112,7 @@ Permutation improve(Permutation best, Triples& triples) {
             Permutation changed = base;
             choice.set(changed, value);
             const auto candidate = canonicalOrNone(changed);
-            if (!candidate || *candidate == base)
+            if (!candidate || *candidate == base || !accept(*candidate))
                 continue;
             if (const std::size_t uncovered = triples.look(*candidate); uncovered > most) {
                 most = uncovered;
@@ -124,13 +126,18 @@ Permutation improve(Permutation best, Triples& triples) {
 } // namespace
 
 std::vector<Permutation> coveringSet() {
+    return coveringSet([](const Permutation&) { return true; });
+}
+
+std::vector<Permutation> coveringSet(const Accept& accept) {
     std::mt19937_64 random(1);
     Triples triples;
     for (std::size_t sample = 0; sample < kSamples; ++sample)
-        triples.look(randomPermutation(random));
+        if (const Permutation permutation = randomPermutation(random); accept(permutation))
+            triples.look(permutation);
     std::vector<Permutation> set;
     while (const auto witness = triples.nextWitness()) {
-        set.push_back(improve(*witness, triples));
+        set.push_back(improve(*witness, triples, accept));
         triples.cover(set.back());
     }
     return set;

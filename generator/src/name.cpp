@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/choices.h"
+#include "franken/nearest.h"
 
 #include <algorithm>
-#include <numeric>
 #include <optional>
 
 namespace franken {
@@ -21,33 +21,12 @@ std::optional<Word> findWord(std::string_view text) {
     return std::nullopt;
 }
 
-// Levenshtein's distance, one row at a time.
-std::size_t editDistance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t substituted = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, substituted});
-        }
-    }
-    return row.back();
-}
-
-std::string_view nearestWord(std::string_view text) {
-    text = text.substr(0, 64); // longer is no slip of a finger, and a file may hold megabytes without a space
-    std::string_view best;
-    std::size_t bestDistance = text.size() + 1000;
+std::vector<std::string_view> allWords() {
+    std::vector<std::string_view> words;
     for (const Choice& choice : choices())
         for (const Option& option : choice.options)
-            if (const std::size_t distance = editDistance(text, option.word); distance < bestDistance) {
-                best = option.word;
-                bestDistance = distance;
-            }
-    return best;
+            words.push_back(option.word);
+    return words;
 }
 
 // "basecolor+nromal" and, below the wrong word, a row of carets.
@@ -57,9 +36,11 @@ std::string pointAt(std::string_view name, std::size_t column, std::size_t lengt
 }
 
 Error unknownWord(std::string_view name, std::string_view word, std::size_t column) {
+    const std::string nearest(nearestWord(word, allWords()));
     return {"permutation.unknown-word", "column " + std::to_string(column + 1),
             "'" + std::string(word) + "' is no word of a permutation" + pointAt(name, column, word.size()),
-            "did you mean '" + std::string(nearestWord(word)) + "'?"};
+            nearest.empty() ? "'frankenshader list --words' has them all"
+                            : "did you mean '" + nearest + "'?"};
 }
 
 Error answeredTwice(std::string_view name, std::string_view word, std::size_t column, const Choice& choice) {
