@@ -14,6 +14,21 @@ bool reads(const Permutation& p, const Needs& n, UvStream stream) {
            (n.emissive && p.emissive == Emissive::Texture && p.emissiveUv == stream);
 }
 
+// Others than a first or second sun, which take a normal of any length.
+bool needsUnitNormal(const Permutation& p, const Needs& n) {
+    return n.skyLit || p.suns > 2 || p.punctualLights > 0;
+}
+
+LightForm lightFormOf(const Permutation& p, const Needs& n) {
+    const bool unitNormal = needsUnitNormal(p, n);
+    if (!n.direct)
+        return LightForm::None;
+    if (p.lightVectors == LightVectors::PerPixel || p.punctualLights > 0)
+        return unitNormal ? LightForm::PixelUnit : LightForm::PixelFew;
+    const bool worldNormal = unitNormal || (n.turned && p.facingWorkaround);
+    return n.normalMap && !worldNormal ? LightForm::VertexTangent : LightForm::VertexWorld;
+}
+
 void findLight(const Permutation& p, Needs& n) {
     const bool lit = n.material && n.shaded && p.shading == Shading::Lit;
     n.direct = lit && p.suns + p.punctualLights > 0;
@@ -25,10 +40,7 @@ void findLight(const Permutation& p, Needs& n) {
     n.normal = n.direct || n.skyLit || (n.material && p.view == View::Normal);
     n.normalMap = n.normal && p.normal == Normal::Map;
     n.turned = n.normal && p.sides == Sides::Double;
-    n.vertexSuns = n.direct && p.lightVectors == LightVectors::PerVertex && p.punctualLights == 0;
-    n.tangentSpace =
-        n.vertexSuns && n.normalMap && p.suns <= 2 && !n.skyLit && !(n.turned && p.facingWorkaround);
-    n.fewSuns = n.direct && !n.vertexSuns && p.suns <= 2 && p.punctualLights == 0 && !n.skyLit;
+    n.lightForm = lightFormOf(p, n);
     n.toCamera = n.direct || n.reflection || (n.turned && p.facingWorkaround);
 }
 

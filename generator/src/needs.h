@@ -5,26 +5,34 @@
 
 namespace franken {
 
+/// Where and how the vectors between surface, eye and lights are computed: one form of all that has to do
+/// with them.
+enum class LightForm : std::uint8_t {
+    None,          ///< Neither sun nor punctual light shines.
+    PixelUnit,     ///< Per pixel, from a unit normal in world space.
+    PixelFew,      ///< Per pixel, one or two suns: the normal's length is divided out of each angle instead.
+    VertexWorld,   ///< Suns' vectors in world space, interpolated.
+    VertexTangent, ///< Suns' vectors in tangent space, interpolated: no normal leaves that space.
+};
+
 /// What follows from a permutation: the questions that more than one row of the recipe asks.
 struct Needs {
-    bool material;     ///< A surface, rather than the sky or an overlay.
-    bool shaded;       ///< The picture is wanted, not a look into the material.
-    bool direct;       ///< Suns or punctual lights shine.
-    bool ambient;      ///< Ambient light, of either kind.
-    bool skyLit;       ///< ... of a sky.
-    bool color;        ///< The base colour's RGB is read.
-    bool base;         ///< The base colour's RGB or alpha is read.
-    bool reflection;   ///< The sky's reflection.
-    bool normal;       ///< A normal per pixel.
-    bool normalMap;    ///< ... from a map.
-    bool tangentSpace; ///< Suns are brought into tangent space, per vertex.
-    bool vertexSuns;   ///< Suns' vectors come from the vertex shader.
-    bool fewSuns;      ///< One or two suns per pixel, and no one else who wants a unit normal.
-    bool turned;       ///< The normal is turned on back faces.
-    bool toCamera;     ///< The vector to the eye, per pixel.
-    bool metallic;     ///< Metalness.
-    bool roughness;    ///< Roughness.
-    bool textured;     ///< Metalness and roughness come from textures.
+    bool material; ///< A surface, rather than the sky or an overlay.
+    bool shaded;   ///< The picture is wanted, not a look into the material.
+    bool direct;   ///< Suns or punctual lights shine.
+    LightForm lightForm;
+    bool ambient;    ///< Ambient light, of either kind.
+    bool skyLit;     ///< ... of a sky.
+    bool color;      ///< The base colour's RGB is read.
+    bool base;       ///< The base colour's RGB or alpha is read.
+    bool reflection; ///< The sky's reflection.
+    bool normal;     ///< A normal per pixel.
+    bool normalMap;  ///< ... from a map.
+    bool turned;     ///< The normal is turned on back faces.
+    bool toCamera;   ///< The vector to the eye, per pixel.
+    bool metallic;   ///< Metalness.
+    bool roughness;  ///< Roughness.
+    bool textured;   ///< Metalness and roughness come from textures.
     bool occlusion;
     bool emissive;
     bool decode;   ///< Textures are brought to linear light.

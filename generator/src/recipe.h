@@ -12,16 +12,28 @@ namespace franken {
 /// How often a row's snippet stands in the text. Neighbouring rows of the same kind repeat together.
 enum class Each : std::uint8_t { Once, Sun, Punctual };
 
-/// One row of the recipe: which snippet, in which stage, and when. The rows' order is that of the text.
+/// One row of the recipe: which snippet, in which stage. The rows' order is that of the text; the conditions
+/// stand in recipe.cpp, where rows that stand in for each other make one slot.
 struct Row {
     Stage stage;
     std::string_view snippet; ///< File below glsl/<stage>/, without ".glsl".
-    bool (*when)(const Permutation&, const Needs&);
     Each each = Each::Once;
     UvStream Permutation::*uv = nullptr; ///< The stream that ${uv} stands for.
 };
 
+inline constexpr std::size_t kMaxRows = 192;
+
 std::span<const Row> recipe();
+
+struct RowRange {
+    std::size_t begin, end;
+};
+RowRange rowsOf(Stage stage);
+
+/// How often a row of that kind stands in a permutation's text.
+inline std::uint8_t repeats(const Permutation& p, Each each) {
+    return each == Each::Sun ? p.suns : each == Each::Punctual ? p.punctualLights : 1;
+}
 
 /// A row that applies, with what its placeholders stand for.
 struct Step {
@@ -33,8 +45,8 @@ struct Step {
 
 /// What tells the plan of one stage from another's, quick to make and to compare.
 struct Outline {
-    std::bitset<192> rows;             ///< Those that apply.
-    std::bitset<192> readsUv1;         ///< Those whose ${uv} stands for stream 1.
+    std::bitset<kMaxRows> rows;        ///< Those that apply.
+    std::bitset<kMaxRows> readsUv1;    ///< Those whose ${uv} stands for stream 1.
     std::uint8_t suns, punctualLights; ///< How often their rows repeat; 0 where there are none.
     friend bool operator==(const Outline&, const Outline&) = default;
 };
