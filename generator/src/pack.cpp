@@ -99,11 +99,12 @@ void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposu
 }
 
 void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLight& light,
-                       const Float3& camera, float exposure) {
+                       const Double3& camera, float exposure) {
     assert(index < Permutation::kMaxLights);
     const float inverseRange2 = light.range > 0 ? 1 / (light.range * light.range) : 0;
-    block.punctualPosition[index] = {light.position[0] - camera[0], light.position[1] - camera[1],
-                                     light.position[2] - camera[2], inverseRange2};
+    block.punctualPosition[index][3] = inverseRange2;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        block.punctualPosition[index][axis] = static_cast<float>(light.position[axis] - camera[axis]);
     block.punctualRadiance[index] = scaled(light.color, light.intensity * kInversePi * exposure);
     block.punctualAxis[index] = unit(light.direction);
     const float cosOuter = std::cos(light.outerCone);

@@ -173,8 +173,8 @@ TEST(GltfMesh, Quantized) {
     const Primitive primitive = onlyPrimitive(file);
     EXPECT_EQ(primitive.positions, (std::vector<glm::vec3>{{0, 0, 0}, {1000, 0, 0}, {0, -32768, 0}}));
     EXPECT_EQ(primitive.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 0, -1}, {0, -1, 0}}));
-    EXPECT_EQ(primitive.bounds.min, glm::vec3(0, -32768, 0));
-    EXPECT_EQ(primitive.bounds.max, glm::vec3(1000, 0, 0));
+    EXPECT_EQ(primitive.bounds.min, glm::dvec3(0, -32768, 0));
+    EXPECT_EQ(primitive.bounds.max, glm::dvec3(1000, 0, 0));
 }
 
 TEST(GltfMesh, MissingNormalsAreFlatAndTangentsOfTheFileAreIgnored) {

@@ -107,11 +107,13 @@ TEST(GltfNode, TheSkinIsAppliedAtRest) {
     file.json["scenes"][0]["nodes"] = {0, 1, 2};
     const Scene scene = file.loaded();
     ASSERT_EQ(scene.instances.size(), 1u);
-    EXPECT_EQ(scene.instances[0].world, glm::mat4(1)) << "the node's own place does not count";
+    expectNear(glm::vec3(scene.instances[0].world[3]), {0, 0, 2});
     const auto& moved = scene.meshes[0].primitives[0].positions;
-    expectNear(moved[0], {0, 0, 2});
-    expectNear(moved[1], {5, 0, 0});
-    expectNear(moved[2], {2, 1, 1});
+    const glm::mat4 world(
+        scene.instances[0].world); // The first joint's place; the node's own does not count.
+    expectNear(placed(world, moved[0]), {0, 0, 2});
+    expectNear(placed(world, moved[1]), {5, 0, 0});
+    expectNear(placed(world, moved[2]), {2, 1, 1});
     ASSERT_EQ(file.warnings.size(), 1u);
 }
 

@@ -70,7 +70,7 @@ TEST(Displace, ARampGetsItsSlope) {
                   0.9999f);
     }
     EXPECT_NEAR(primitive.bounds.max.z, 0.5f, 0.01f);
-    EXPECT_FLOAT_EQ(primitive.bounds.min.x, -1);
+    EXPECT_NEAR(primitive.bounds.min.x, -1, 1e-6);
 }
 
 TEST(Displace, GroundAndScaleMoveAsTheySay) {

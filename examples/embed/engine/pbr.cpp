@@ -13,6 +13,7 @@ using namespace franken;
 namespace {
 
 Float3 toFloat3(const glm::vec3& v) { return {v.x, v.y, v.z}; }
+Double3 toDouble3(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 
 template<typename Values, typename Matrix>
 void copy(Values& values, const Matrix& matrix) {
@@ -57,16 +58,15 @@ Result<Pbr::Look> Pbr::lookOf(const Paint& paint) {
 void Pbr::beginFrame(const World& world, float aspect) {
     m_viewProjection = glm::perspective(world.yfov, aspect, world.near, world.far) *
                        glm::lookAt(world.eye, world.lookAt, {0, 1, 0});
-    const Float3 eye = toFloat3(world.eye);
-    m_frame.edit().cameraPosition = eye;
+    m_frame.edit().cameraPosition = toFloat3(world.eye);
     LightsBlock& lights = m_lights.edit();
     packAmbient(lights, toFloat3(world.ambient), 1);
     packSun(lights, 0, {.direction = toFloat3(world.sunDirection), .illuminance = world.sunLux}, 1);
     packPunctualLight(lights, 0,
-                      {.position = toFloat3(world.lampPosition),
+                      {.position = toDouble3(world.lampPosition),
                        .color = toFloat3(world.lampColor),
                        .intensity = world.lampCandela},
-                      eye, 1);
+                      toDouble3(world.eye), 1);
 }
 
 void Pbr::draw(const Thing& thing, Look& look, const GpuMesh& mesh) const {

@@ -5,18 +5,18 @@
 
 namespace franken {
 
-void Box::add(const glm::vec3& point) {
+void Box::add(const glm::dvec3& point) {
     min = glm::min(min, point);
     max = glm::max(max, point);
 }
 
-void Box::add(const Box& box, const glm::mat4& world) {
+void Box::add(const Box& box, const glm::dmat4& world) {
     if (box.empty())
         return;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::vec3 point((corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
-                              (corner & 4) ? box.max.z : box.min.z);
-        add(glm::vec3(world * glm::vec4(point, 1.0f)));
+        const glm::dvec3 point((corner & 1) ? box.max.x : box.min.x, (corner & 2) ? box.max.y : box.min.y,
+                               (corner & 4) ? box.max.z : box.min.z);
+        add(glm::dvec3(world * glm::dvec4(point, 1.0)));
     }
 }
 

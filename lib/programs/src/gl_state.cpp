@@ -26,7 +26,7 @@ void GlState::begin() {
     m_gl->DepthFunc(GL_LEQUAL);
     setDepthRange(0, 1);
     m_gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    m_gl->CullFace(GL_BACK);
+    setCulledFace(GL_BACK);
     m_gl->BlendEquation(GL_FUNC_ADD);
     m_gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     m_gl->ClearDepthf(1);
@@ -55,6 +55,11 @@ void GlState::setDepthRange(float near, float far) {
 void GlState::setFrontFace(GLenum winding) {
     if (changes(m_frontFace, winding))
         m_gl->FrontFace(winding);
+}
+
+void GlState::setCulledFace(GLenum face) {
+    if (changes(m_culledFace, face))
+        m_gl->CullFace(face);
 }
 
 void GlState::useProgram(GLuint program) {

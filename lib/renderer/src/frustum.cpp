@@ -10,19 +10,17 @@
 
 namespace franken {
 
-Bounds boundsOf(const Box& box, const glm::mat4& world) {
+Bounds boundsOf(const Box& box, const glm::dmat4& world) {
     if (box.empty())
-        return {glm::vec3(0), glm::vec3(std::numeric_limits<float>::infinity())};
-    const glm::dvec3 low(box.min), high(box.max);
-    const glm::dvec3 half = 0.5 * (high - low);
-    const glm::dmat4 place(world);
-    const glm::dvec3 center(place * glm::dvec4(0.5 * (low + high), 1));
-    const glm::dvec3 extent = glm::abs(glm::dvec3(place[0])) * half.x +
-                              glm::abs(glm::dvec3(place[1])) * half.y +
-                              glm::abs(glm::dvec3(place[2])) * half.z;
+        return {glm::dvec3(0), glm::dvec3(std::numeric_limits<double>::infinity())};
+    const glm::dvec3 half = 0.5 * (box.max - box.min);
+    const glm::dvec3 center(world * glm::dvec4(0.5 * (box.min + box.max), 1));
+    const glm::dvec3 extent = glm::abs(glm::dvec3(world[0])) * half.x +
+                              glm::abs(glm::dvec3(world[1])) * half.y +
+                              glm::abs(glm::dvec3(world[2])) * half.z;
     // The GPU works in float: what its rounding, and ours, could bring back into view is kept.
     constexpr double kRounding = 1e-5, kCenterRounding = 1e-6;
-    return {glm::vec3(center), glm::vec3(extent * (1 + kRounding) + glm::abs(center) * kCenterRounding)};
+    return {center, extent * (1 + kRounding) + glm::abs(center) * kCenterRounding};
 }
 
 Frustum::Frustum(const glm::dmat4& viewProjection) {
@@ -37,7 +35,7 @@ Frustum::Frustum(const glm::dmat4& viewProjection) {
 
 bool Frustum::mayShow(const Bounds& bounds) const {
     const auto& [x, y, z, w] = m_planes;
-    const glm::dvec3 center(bounds.center), extent(bounds.extent);
+    const glm::dvec3 &center = bounds.center, &extent = bounds.extent;
     bool outside = false;
     for (std::size_t plane = 0; plane < kPlanes; ++plane) {
         const double distance = x[plane] * center.x + y[plane] * center.y + z[plane] * center.z + w[plane];

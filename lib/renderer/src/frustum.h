@@ -11,12 +11,12 @@ namespace franken {
 
 /// A box along the axes of the world.
 struct Bounds {
-    glm::vec3 center{0.0f};
-    glm::vec3 extent{0.0f}; ///< Half its edges, rounding included.
+    glm::dvec3 center{0.0};
+    glm::dvec3 extent{0.0}; ///< Half its edges, rounding included.
 };
 
 /// The box around `box` as `world`, which is affine, places it. All of space for an empty one.
-Bounds boundsOf(const Box& box, const glm::mat4& world);
+Bounds boundsOf(const Box& box, const glm::dmat4& world);
 
 /// What a camera sees: the space inside six planes, which are sums of the rows of the matrix (Gribb and
 /// Hartmann, "Fast Extraction of Viewing Frustum Planes from the World-View-Projection Matrix", 2001).

@@ -50,6 +50,7 @@ private:
             m_gpu.drawables.push_back({.mesh = gpuMesh++,
                                        .material = *material,
                                        .bounds = boundsOf(primitive.bounds, instance.world),
+                                       .position = glm::dvec3(instance.world[3]),
                                        .block = {},
                                        .mirrored = instance.mirrored,
                                        .doubleSided = source.doubleSided,

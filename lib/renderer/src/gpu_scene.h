@@ -2,8 +2,8 @@
 #pragma once
 
 #include "franken/material.h"
-#include "franken/program_uses.h"
 #include "franken/program_cache.h"
+#include "franken/program_uses.h"
 #include "frustum.h"
 #include "gpu_mesh.h"
 #include "gpu_texture.h"
@@ -29,6 +29,7 @@ struct GpuMaterial {
 struct Drawable {
     std::size_t mesh, material; ///< Indices into GpuScene.
     Bounds bounds;              ///< In the world.
+    glm::dvec3 position;        ///< Of its origin, in the world.
     ObjectBlock block;          ///< But for what depends on the camera.
     bool mirrored, doubleSided, blended;
 };

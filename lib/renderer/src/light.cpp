@@ -15,7 +15,7 @@ Sun toSun(const Light& light) {
 }
 
 PunctualLight toPunctualLight(const Light& light) {
-    return {.position = toFloat3(light.position),
+    return {.position = {light.position.x, light.position.y, light.position.z},
             .direction = toFloat3(light.direction),
             .color = toFloat3(light.color),
             .intensity = light.intensity,
@@ -49,7 +49,7 @@ Lighting lightingOf(const Scene& scene, const Log& log) {
     return lighting;
 }
 
-LightsBlock packLighting(const Lighting& lighting, const Float3& eye) {
+LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye) {
     assert(lighting.suns.size() <= Permutation::kMaxLights &&
            lighting.punctualLights.size() <= Permutation::kMaxLights);
     LightsBlock block{};
@@ -58,7 +58,7 @@ LightsBlock packLighting(const Lighting& lighting, const Float3& eye) {
     for (std::size_t i = 0; i < lighting.suns.size(); ++i)
         packSun(block, i, lighting.suns[i], lighting.exposure);
     for (std::size_t i = 0; i < lighting.punctualLights.size(); ++i)
-        packPunctualLight(block, i, lighting.punctualLights[i], eye, lighting.exposure);
+        packPunctualLight(block, i, lighting.punctualLights[i], {eye.x, eye.y, eye.z}, lighting.exposure);
     return block;
 }
 

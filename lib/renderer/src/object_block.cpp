@@ -11,25 +11,26 @@ glm::dmat3 cofactors(const glm::dmat3& m) {
 
 } // namespace
 
-Float3 toFloat3(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
-
-void placeObject(ObjectBlock& block, const glm::mat4& world, bool mirrored) {
-    std::copy_n(glm::value_ptr(world), block.model.size(), block.model.begin());
+void placeObject(ObjectBlock& block, const glm::dmat4& world, bool mirrored) {
+    roundTo(block.model, world);
     roundTo(block.normalMatrix, (mirrored ? -1.0 : 1.0) * cofactors(glm::dmat3(world)));
 }
 
-void projectObject(ObjectBlock& block, const glm::dmat4& viewProjection) {
-    const double* const camera = glm::value_ptr(viewProjection);
-    for (std::size_t column = 0; column < 4; ++column) {
+void projectObject(ObjectBlock& block, const glm::dvec3& position, const Viewpoint& viewpoint) {
+    const double* const camera = glm::value_ptr(viewpoint.viewProjection);
+    for (std::size_t column = 0; column < 3; ++column) {
         const float* const model = block.model.data() + 4 * column;
-        const double last = column == 3 ? 1 : 0; // The matrix is affine.
         for (std::size_t row = 0; row < 4; ++row)
-            block.modelViewProjection[4 * column + row] =
-                static_cast<float>(camera[row] * model[0] + camera[4 + row] * model[1] +
-                                   camera[8 + row] * model[2] + camera[12 + row] * last);
+            block.modelViewProjection[4 * column + row] = static_cast<float>(
+                camera[row] * model[0] + camera[4 + row] * model[1] + camera[8 + row] * model[2]);
     }
+    for (std::size_t row = 0; row < 4; ++row)
+        block.modelViewProjection[12 + row] =
+            static_cast<float>(camera[row] * position.x + camera[4 + row] * position.y +
+                               camera[8 + row] * position.z + camera[12 + row]);
+    const glm::dvec3 fromEye = position - viewpoint.eye;
+    for (int axis = 0; axis < 3; ++axis)
+        block.model[static_cast<std::size_t>(12 + axis)] = static_cast<float>(fromEye[axis]);
 }
 
 } // namespace franken

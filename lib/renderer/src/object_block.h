@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/generator/pack.h"
+#include "franken/viewpoint.h"
 
 #include <glm/ext/matrix_double4x4.hpp>
 #include <glm/ext/vector_double3.hpp>
@@ -18,12 +19,13 @@ void roundTo(Values& values, const Matrix& matrix) {
                    [](double value) { return static_cast<float>(value); });
 }
 
-Float3 toFloat3(const glm::dvec3& v);
+/// What depends on the object alone: its normal matrix, and its model matrix but for the translation. `world`
+/// is affine.
+void placeObject(ObjectBlock& block, const glm::dmat4& world, bool mirrored);
 
-/// What depends on where an object is: its model and normal matrices. `world` is affine.
-void placeObject(ObjectBlock& block, const glm::mat4& world, bool mirrored);
-
-/// What depends on the camera as well; after placeObject().
-void projectObject(ObjectBlock& block, const glm::dmat4& viewProjection);
+/// What depends on the camera as well; after placeObject(). `position` is the translation of its world
+/// matrix. The model matrix leads from the object to the world as seen from the eye: a float has 24 bits,
+/// which far from the origin would be spent on the way there.
+void projectObject(ObjectBlock& block, const glm::dvec3& position, const Viewpoint& viewpoint);
 
 } // namespace franken

@@ -21,21 +21,21 @@ void Renderer::State::sortOpaque() {
 
 void Renderer::State::updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target) {
     FrameBlock values{};
-    values.cameraPosition = toFloat3(viewpoint.eye);
+    values.cameraPosition = {0, 0, 0}; // Because objects are placed as seen from it.
     roundTo(values.clipToSky, viewpoint.clipToSky);
     values.skyRange = skyRange * lighting.exposure;
     values.reflectionScale = std::sqrt(mirror->range * lighting.exposure);
     values.dither = packDither(target.bits);
     frame.set(values);
-    lights.set(packLighting(lighting, toFloat3(viewpoint.eye)));
-    if (seenFrom != viewpoint.viewProjection)
+    lights.set(packLighting(lighting, viewpoint.eye));
+    if (seenFrom != viewpoint)
         findVisible(viewpoint);
 }
 
-bool Renderer::State::place(Object& object, const Frustum& frustum, const glm::dmat4& viewProjection) {
+bool Renderer::State::place(Object& object, const Frustum& frustum, const Viewpoint& viewpoint) {
     object.visible = object.material->program && frustum.mayShow(object.bounds);
     if (object.visible)
-        projectObject(object.block, viewProjection);
+        projectObject(object.block, object.position, viewpoint);
     return object.visible;
 }
 
@@ -44,23 +44,23 @@ void Renderer::State::findVisible(const Viewpoint& viewpoint) {
     drawn = 0;
     std::uint64_t serial = newSerials(opaque.size() + blended.size());
     for (Object& object : opaque)
-        if (place(object, frustum, viewpoint.viewProjection)) {
+        if (place(object, frustum, viewpoint)) {
             object.serial = serial++;
             ++drawn;
         }
     backToFront.clear();
     for (Object& object : blended)
-        if (place(object, frustum, viewpoint.viewProjection)) {
+        if (place(object, frustum, viewpoint)) {
             object.serial = serial++;
             backToFront.push_back(&object);
         }
     drawn += backToFront.size();
     const auto depth = [&](const Object* object) {
-        return glm::dot(glm::dvec3(object->bounds.center) - viewpoint.eye, viewpoint.forward);
+        return glm::dot(object->bounds.center - viewpoint.eye, viewpoint.forward);
     };
     std::stable_sort(backToFront.begin(), backToFront.end(),
                      [&](const Object* a, const Object* b) { return depth(a) > depth(b); });
-    seenFrom = viewpoint.viewProjection;
+    seenFrom = viewpoint;
 }
 
 void Renderer::State::beginFrame(const DrawTarget& target) {
@@ -98,9 +98,19 @@ void Renderer::State::drawOne(const Object& object) {
         bind(material);
     ShaderProgram& program = *material.program;
     program.feed(Block::Object, {reinterpret_cast<const float*>(&object.block), object.serial});
-    glState.setCulling(!object.doubleSided);
+    glState.setCulling(!object.doubleSided || object.material->state.blend);
     glState.setFrontFace(object.mirrored ? GL_CW : GL_CCW);
     object.mesh->draw(gl, glState, program.attributes(), material.plan.uvSets);
+}
+
+// Through a transparent surface its other side is seen, which therefore comes first.
+void Renderer::State::drawSides(const Object& object) {
+    if (!object.doubleSided)
+        return drawOne(object);
+    for (const GLenum culled : {GL_FRONT, GL_BACK}) {
+        glState.setCulledFace(culled);
+        drawOne(object);
+    }
 }
 
 void Renderer::State::drawOpaque() {
@@ -116,7 +126,7 @@ void Renderer::State::drawBlended() {
     glState.setDepthWrites(false);
     boundMaterial = nullptr; // The sky's program may be in use.
     for (const Object* object : backToFront)
-        drawOne(*object);
+        drawSides(*object);
 }
 
 } // namespace franken

@@ -94,6 +94,7 @@ void Renderer::State::addObjects(const GpuScene& scene) {
         (drawable->blended ? blended : opaque)
             .push_back({.block = drawable->block,
                         .bounds = drawable->bounds,
+                        .position = drawable->position,
                         .mesh = &scene.meshes[drawable->mesh],
                         .material = &scene.materials[drawable->material],
                         .order = static_cast<unsigned>(opaque.size()),

@@ -38,6 +38,7 @@ struct Object {
     ObjectBlock block;
     std::uint64_t serial = 0; ///< Of the block.
     Bounds bounds;
+    glm::dvec3 position; ///< Of its origin, in the world.
     const GpuMesh* mesh;
     const GpuMaterial* material;
     unsigned order; ///< By model, material and mesh.
@@ -69,12 +70,13 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
 
     void updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target);
     void findVisible(const Viewpoint& viewpoint);
-    bool place(Object & object, const Frustum& frustum, const glm::dmat4& viewProjection);
+    bool place(Object & object, const Frustum& frustum, const Viewpoint& viewpoint);
     void beginFrame(const DrawTarget& target);
     void use(ShaderProgram & program, const BlockViews& blocks);
     void drawOpaque();
     void bind(const GpuMaterial& material);
     void drawOne(const Object& object);
+    void drawSides(const Object& object);
     void drawBlended();
 
     Result<void> uploadBackdrop(const SkyCube& cube);
@@ -112,7 +114,7 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
 
     std::vector<Object> opaque, blended;    ///< Of all that is shown; `opaque` in its order of drawing.
     std::vector<const Object*> backToFront; ///< Those of `blended` that are visible.
-    std::optional<glm::dmat4> seenFrom;     ///< What objects were placed with.
+    std::optional<Viewpoint> seenFrom;      ///< What objects were placed with.
     std::size_t drawn = 0;                  ///< How many are visible.
 
     GlTexture sky;

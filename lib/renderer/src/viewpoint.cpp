@@ -46,12 +46,24 @@ glm::dmat4 orthographic(Extent extent, double near, double far) {
     return m;
 }
 
-// A node's scale does not scale a camera (glTF 2.0, 3.10.1).
+// glTF 2.0, 3.10.2: the scale of a camera's node is ignored. Where a scale is negative, which axis it turned
+// round cannot be told any more; what the camera looks at and what is above stay as they are.
 glm::dmat4 placeOf(const Camera& camera) {
     glm::dmat4 world(camera.world);
     for (int axis = 0; axis < 3; ++axis)
         world[axis] = glm::dvec4(glm::normalize(glm::dvec3(world[axis])), 0);
+    if (glm::determinant(glm::dmat3(world)) < 0)
+        world[0] = -world[0];
     return world;
+}
+
+// An orthographic camera's view vectors are parallel. Programs subtract positions from the eye, so the eye
+// moves back until what is left of the angle between two of them is below what 8 bits show: half a lobe of
+// roughness 0.05. Not further, because the vectors from punctual lights come from the same subtraction, and
+// floats have 24 bits.
+glm::dvec3 distantEye(const glm::dmat4& world, Extent extent) {
+    constexpr double kDistance = 4096; // Times what is seen.
+    return glm::dvec3(world[3]) + kDistance * std::hypot(extent.x, extent.y) * glm::dvec3(world[2]);
 }
 
 } // namespace
@@ -65,7 +77,7 @@ Viewpoint viewpointOf(const Camera& camera, double aspect) {
 
     Viewpoint viewpoint;
     viewpoint.viewProjection = projection * glm::inverse(world);
-    viewpoint.eye = glm::dvec3(world[3]);
+    viewpoint.eye = flat ? distantEye(world, extent) : glm::dvec3(world[3]);
     viewpoint.forward = -glm::dvec3(world[2]);
     const glm::dmat3 rotation(world);
     viewpoint.clipToSky = flat
@@ -78,12 +90,12 @@ Camera framingCamera(const Box& bounds, double aspect) {
     Camera camera;
     if (bounds.empty())
         return camera;
-    const glm::dvec3 center = 0.5 * (glm::dvec3(bounds.min) + glm::dvec3(bounds.max));
-    const double radius = std::max(0.5 * glm::distance(glm::dvec3(bounds.min), glm::dvec3(bounds.max)), 1e-6);
+    const glm::dvec3 center = 0.5 * (bounds.min + bounds.max);
+    const double radius = std::max(0.5 * glm::distance(bounds.min, bounds.max), 1e-6);
     const double halfAngle = std::atan(std::tan(0.5 * camera.yfov) * std::min(aspect, 1.0));
     const double distance = radius / std::sin(halfAngle);
     const glm::dvec3 eye = center + distance * glm::normalize(glm::dvec3(0.35, 0.25, 1.0));
-    camera.world = glm::mat4(glm::inverse(glm::lookAt(eye, center, glm::dvec3(0, 1, 0))));
+    camera.world = glm::inverse(glm::lookAt(eye, center, glm::dvec3(0, 1, 0)));
     camera.znear = static_cast<float>(std::max(distance - 2 * radius, 0.05 * radius));
     camera.zfar = static_cast<float>(distance + 2 * radius);
     return camera;
@@ -93,8 +105,8 @@ Camera tightened(const Camera& camera, const Box& bounds) {
     if (bounds.empty())
         return camera;
     const glm::dmat4 world = placeOf(camera);
-    const glm::dvec3 center = 0.5 * (glm::dvec3(bounds.min) + glm::dvec3(bounds.max));
-    const double radius = 0.5 * glm::distance(glm::dvec3(bounds.min), glm::dvec3(bounds.max));
+    const glm::dvec3 center = 0.5 * (bounds.min + bounds.max);
+    const double radius = 0.5 * glm::distance(bounds.min, bounds.max);
     const double depth = -glm::dot(center - glm::dvec3(world[3]), glm::dvec3(world[2]));
     constexpr double kMargin = 1.001;
     const double nearest = depth - kMargin * radius;

@@ -37,7 +37,8 @@ void packLights(Blocks& blocks, const Permutation& permutation, const Float3& to
         PunctualLight light;
         light.position = {kDistance * toLight[0], kDistance * toLight[1], kDistance * toLight[2]};
         light.intensity = i == 0 && permutation.suns == 0 ? kPi * kDistance * kDistance : 0;
-        packPunctualLight(blocks.lights, i, light, blocks.frame.cameraPosition, 1);
+        const auto [x, y, z] = blocks.frame.cameraPosition;
+        packPunctualLight(blocks.lights, i, light, {x, y, z}, 1);
     }
 }
 

@@ -16,6 +16,7 @@ namespace FRANKEN_API franken {
 
 using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
+using Double3 = std::array<double, 3>;
 using Float4 = std::array<float, 4>;
 using Float9 = std::array<float, 9>;   ///< A mat3, column by column.
 using Float16 = std::array<float, 16>; ///< A mat4, column by column.
@@ -29,8 +30,8 @@ inline constexpr float kMinRoughness = 0.001f;
 inline constexpr int kSpecularLevels = 9;
 
 /// How far a rough surface's mirror image of the sky is bent towards N: it lies in the direction
-/// (2 N.V + bend (1 - N.V)) N - V. A dielectric's is bent less than a metal's: at an angle it shows mostly what
-/// Fresnel's term adds, which is light off facets that face away from the eye. Fitted to brute force
+/// (2 N.V + bend (1 - N.V)) N - V. A dielectric's is bent less than a metal's: at an angle it shows mostly
+/// what Fresnel's term adds, which is light off facets that face away from the eye. Fitted to brute force
 /// (generator/README.md). roughness, metallic: 0-1.
 float specularBend(float roughness, float metallic);
 
@@ -51,11 +52,11 @@ struct MaterialBlock {
     Float4 baseColor;
     std::array<Float3, 3> baseColorCubic; ///< The fast decode's coefficients times the factor
     Float2 metallicRoughness;             ///< The factors, for textured materials.
-    Float4 reflectance;  ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
-                         ///< 0.04 (1 - m)
-    Float3 lobe;         ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
+    Float4 reflectance; ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
+                        ///< 0.04 (1 - m)
+    Float3 lobe;        ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
     Float3 reflectionLobe; ///< Roughness; specularBend(), and 2 less that
-    Float2 occlusion;    ///< strength, 1 - strength
+    Float2 occlusion;      ///< strength, 1 - strength
     Float3 emissive;
     std::array<Float3, 3> emissiveCubic; ///< As baseColorCubic
     float normalScale;
@@ -75,7 +76,7 @@ struct Sun {
 
 /// A light with a position (KHR_lights_punctual, point and spot).
 struct PunctualLight {
-    Float3 position{0, 0, 0};   ///< World space, m
+    Double3 position{0, 0, 0};  ///< World space, m
     Float3 direction{0, 0, -1}; ///< Where a spot shines, world space; any length but 0
     Float3 color{1, 1, 1};      ///< Linear
     float intensity = 0;        ///< candela, 0 and up
@@ -92,8 +93,8 @@ using SkyCoefficients = std::array<Float3, 9>;
 struct LightsBlock {
     Float3 ambient;
     std::array<Float3, 9> sky;
-    std::array<Float3, Permutation::kMaxLights> sunDirection; ///< Towards the sun, unit
-    std::array<Float3, Permutation::kMaxLights> sunRadiance;  ///< Irradiance / pi
+    std::array<Float3, Permutation::kMaxLights> sunDirection;     ///< Towards the sun, unit
+    std::array<Float3, Permutation::kMaxLights> sunRadiance;      ///< Irradiance / pi
     std::array<Float4, Permutation::kMaxLights> punctualPosition; ///< From the eye, m; 1 / range^2
     std::array<Float3, Permutation::kMaxLights> punctualRadiance; ///< Intensity / pi
     std::array<Float3, Permutation::kMaxLights> punctualAxis;     ///< Unit
@@ -106,13 +107,13 @@ void packAmbient(LightsBlock& block, const Float3& radiance, float exposure);
 void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure);
 void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure);
 void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLight& light,
-                       const Float3& cameraPosition, float exposure);
+                       const Double3& cameraPosition, float exposure);
 
 struct FrameBlock {
-    Float3 cameraPosition; ///< World space, m
+    Float3 cameraPosition; ///< In the space that ObjectBlock::model leads to, m
     Float9 clipToSky;      ///< (x, y, 1) in clip space to a direction in the sky
     float skyRange;        ///< The largest radiance that a sky texel can hold, times the exposure
-    float reflectionScale;   ///< Root of the range, times the exposure, of the sky as rough mirrors show it
+    float reflectionScale; ///< Root of the range, times the exposure, of the sky as rough mirrors show it
     Float3 dither;         ///< Amplitude per channel, in output units
 };
 
@@ -121,7 +122,7 @@ Float3 packDither(const std::array<int, 3>& bits);
 
 struct ObjectBlock {
     Float16 modelViewProjection;
-    Float16 model;
+    Float16 model;       ///< To the world, or to the world as seen from the eye: the camera is at 0 then
     Float9 normalMatrix; ///< Inverse transpose of the model's upper 3x3; any scale
     Float9 overlay;      ///< Overlays alone: (x, y, 1) in their units to clip space
 };

@@ -6,8 +6,9 @@
 #include <string>
 #include <vector>
 
+#include <glm/ext/matrix_double4x4.hpp>
+#include <glm/ext/vector_double3.hpp>
 #include <glm/mat3x3.hpp>
-#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -18,7 +19,8 @@
 
 /// What a glTF file says, as plain data on the CPU: no GL, no file format, nothing left to resolve. All
 /// indices into the arrays of Scene are in range, all numbers finite. Units are glTF's: metres, radians,
-/// lux and candela; +Y up, right-handed; colours are linear.
+/// lux and candela; +Y up, right-handed; colours are linear. Vertices are floats; where things stand in the
+/// world is double, so that a model may stand anywhere on a globe.
 namespace FRANKEN_API franken {
 
 /// The index of a thing that is absent.
@@ -78,13 +80,13 @@ struct Material {
 
 /// An axis-aligned box; empty (min > max) until something is added.
 struct Box {
-    glm::vec3 min{std::numeric_limits<float>::infinity()};
-    glm::vec3 max{-std::numeric_limits<float>::infinity()};
+    glm::dvec3 min{std::numeric_limits<double>::infinity()};
+    glm::dvec3 max{-std::numeric_limits<double>::infinity()};
 
     bool empty() const { return min.x > max.x; }
-    void add(const glm::vec3& point);
+    void add(const glm::dvec3& point);
     /// Adds the eight corners of `box` as `world` places them; does nothing for an empty one.
-    void add(const Box& box, const glm::mat4& world);
+    void add(const Box& box, const glm::dmat4& world);
 };
 
 /// One draw's worth of triangles, as one array for each attribute, in one form whatever the file had. Each
@@ -111,10 +113,10 @@ struct Mesh {
 
 /// A mesh, placed in the world.
 struct Instance {
-    std::string name; ///< The node's.
-    int mesh = 0;     ///< Index into Scene::meshes.
-    glm::mat4 world{
-        1.0f}; ///< Object to world; affine. The identity for a skinned mesh, whose pose is baked in.
+    std::string name;      ///< The node's.
+    int mesh = 0;          ///< Index into Scene::meshes.
+    glm::dmat4 world{1.0}; ///< Object to world; affine. For a skinned mesh, whose pose is baked in: only
+                           ///< where its first joint is.
     bool mirrored = false; ///< The determinant is negative: front faces wind clockwise.
 };
 
@@ -130,7 +132,7 @@ struct Camera {
     float ymag = 1.0f;        ///< Orthographic: half the height of the view, metres.
     float znear = 0.1f;       ///< Metres; > 0 for a perspective camera, >= 0 for an orthographic one.
     float zfar = 0.0f;        ///< Metres, > znear; 0 for a perspective camera: infinite.
-    glm::mat4 world{1.0f};
+    glm::dmat4 world{1.0};
 };
 
 /// KHR_lights_punctual, placed in the world.
@@ -144,7 +146,7 @@ struct Light {
     float range = 0.0f;               ///< Metres, where the light has faded to nothing; 0: infinite.
     float innerConeAngle = 0.0f;      ///< Spot: radians from the axis, 0 <= inner < outer.
     float outerConeAngle = 0.785398f; ///< Spot: radians from the axis, <= pi/2.
-    glm::vec3 position{0.0f};         ///< World; point and spot.
+    glm::dvec3 position{0.0};         ///< World; point and spot.
     glm::vec3 direction{0.0f, 0.0f,
                         -1.0f}; ///< World, unit length, where the light travels; directional and spot.
 };

@@ -168,6 +168,8 @@ bool readMaterials(Source& source, Scene& scene);
 struct Pose {
     std::vector<double> weights;
     std::vector<glm::mat4> joints; ///< jointWorld * inverseBindMatrix; empty without a skin.
+    bool mirrored =
+        false; ///< Of a skin: the node's determinant is negative, so that front faces wind clockwise.
 };
 
 /// The file's mesh in the given pose. Its primitives' materials are indices into scene.materials, to which a

@@ -232,7 +232,8 @@ bool chargeObjects(Source& source, const Json& root) {
            charge(member(root, "meshes"), sizeof(tinygltf::Mesh), "/meshes") &&
            charge(member(root, "skins"), sizeof(tinygltf::Skin), "/skins") &&
            charge(member(root, "cameras"), sizeof(tinygltf::Camera), "/cameras") &&
-           charge(member(root, "nodes"), sizeof(tinygltf::Node) + sizeof(Instance), "/nodes") &&
+           charge(member(root, "nodes"), sizeof(tinygltf::Node), "/nodes") &&
+           source.charge(member(root, "nodes").size(), sizeof(Instance), "/nodes") && // reserved
            charge(member(root, "scenes"), sizeof(tinygltf::Scene), "/scenes") &&
            charge(lights, sizeof(tinygltf::Light), "/extensions/KHR_lights_punctual/lights");
 }

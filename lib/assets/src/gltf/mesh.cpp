@@ -72,6 +72,12 @@ bool readTriangles(Source& source, const tinygltf::Primitive& from, const std::s
     return true;
 }
 
+// glTF 2.0, 3.7.4: the node's determinant says how a mesh winds, even where a skin ignores the node's place.
+void turnTriangles(std::vector<std::uint32_t>& indices) {
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+        std::swap(indices[i + 1], indices[i + 2]);
+}
+
 glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise) {
     const float length = glm::length(vector);
     return length > 0.0f ? vector / length : otherwise;
@@ -148,6 +154,8 @@ bool readPrimitive(Source& source, const tinygltf::Primitive& from, const std::s
     if (!chargePrimitive(source, from, where) || !readAttributes(source, from, primitive) ||
         !readTriangles(source, from, where, primitive))
         return false;
+    if (pose.mirrored)
+        turnTriangles(primitive.indices);
     if (!applyMorph(source, from, where, pose.weights, primitive) ||
         (!pose.joints.empty() && !applySkin(source, from, where, pose.joints, primitive)))
         return false;

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -70,17 +71,15 @@ bool isFinite(const glm::mat4& matrix) {
 }
 
 // Of all nodes, those outside the scene too, because a skin's joints may be there.
-bool worldMatrices(Source& source, std::vector<glm::mat4>& worlds) {
+bool worldMatrices(Source& source, std::vector<glm::dmat4>& worlds) {
     const tinygltf::Model& model = source.model;
-    std::vector<glm::dmat4> exact(model.nodes.size());
-    for (std::size_t i = 0; i < exact.size(); ++i)
-        exact[i] = localMatrix(model.nodes[i]);
-    worlds.resize(exact.size());
+    worlds.resize(model.nodes.size());
+    for (std::size_t i = 0; i < worlds.size(); ++i)
+        worlds[i] = localMatrix(model.nodes[i]);
     for (const int node : depthFirst(model, allRoots(model))) {
         for (const int child : model.nodes[at(node)].children)
-            exact[at(child)] = exact[at(node)] * exact[at(child)];
-        worlds[at(node)] = glm::mat4(exact[at(node)]);
-        if (!isFinite(worlds[at(node)]))
+            worlds[at(child)] = worlds[at(node)] * worlds[at(child)];
+        if (!isFinite(glm::mat4(worlds[at(node)])))
             return source.fail("gltf.value", pathOf("nodes", node),
                                "the node's place in the world is not finite");
     }
@@ -98,6 +97,7 @@ public:
             return false;
         const std::vector<int> roots =
             model.scenes.empty() ? allRoots(model) : model.scenes[at(std::max(model.defaultScene, 0))].nodes;
+        m_scene.instances.reserve(model.nodes.size());
         for (const int node : depthFirst(model, roots))
             if (!addMesh(node) || !addCamera(node) || !addLight(node))
                 return false;
@@ -105,7 +105,7 @@ public:
     }
 
 private:
-    bool readJointMatrices(int skin, std::vector<glm::mat4>& joints);
+    bool readJointMatrices(int skin, const glm::dvec3& origin, std::vector<glm::mat4>& joints);
     bool findOrReadMesh(int fileMesh, const Pose& pose, int& mesh);
     bool addMesh(int node);
     bool addCamera(int node);
@@ -113,11 +113,12 @@ private:
 
     Source& m_source;
     Scene& m_scene;
-    std::vector<glm::mat4> m_worlds;
+    std::vector<glm::dmat4> m_worlds;
     std::map<std::pair<int, std::vector<double>>, int> m_meshes; ///< By file mesh and weights.
 };
 
-bool Walker::readJointMatrices(int index, std::vector<glm::mat4>& joints) {
+// As seen from `origin`, so that vertices that floats can hold come out, wherever the skin is.
+bool Walker::readJointMatrices(int index, const glm::dvec3& origin, std::vector<glm::mat4>& joints) {
     const tinygltf::Skin& skin = m_source.model.skins[at(index)];
     const std::size_t matrices =
         skin.inverseBindMatrices == kNone ? 0 : m_source.model.accessors[at(skin.inverseBindMatrices)].count;
@@ -131,8 +132,11 @@ bool Walker::readJointMatrices(int index, std::vector<glm::mat4>& joints) {
         for (std::size_t j = 0; j < joints.size(); ++j)
             joints[j] = glm::make_mat4(numbers.data() + j * 16);
     }
-    for (std::size_t j = 0; j < joints.size(); ++j)
-        joints[j] = m_worlds[at(skin.joints[j])] * joints[j];
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+        glm::dmat4 world = m_worlds[at(skin.joints[j])];
+        world[3] -= glm::dvec4(origin, 0);
+        joints[j] = glm::mat4(world * glm::dmat4(joints[j]));
+    }
     return true;
 }
 
@@ -160,21 +164,24 @@ bool Walker::addMesh(int index) {
     const tinygltf::Node& node = m_source.model.nodes[at(index)];
     if (node.mesh == kNone)
         return true;
+    glm::dmat4 world = m_worlds[at(index)];
+    bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
     Pose pose;
     pose.weights = node.weights.empty() ? m_source.model.meshes[at(node.mesh)].weights : node.weights;
     if (node.skin != kNone) {
         m_source.warnOnce("skins are not animated; the pose of the file is drawn");
-        if (!readJointMatrices(node.skin, pose.joints))
+        pose.mirrored = std::exchange(mirrored, false);
+        const glm::dvec3 origin(m_worlds[at(m_source.model.skins[at(node.skin)].joints[0])][3]);
+        if (!readJointMatrices(node.skin, origin, pose.joints))
             return false;
+        world = glm::translate(glm::dmat4(1.0), origin);
     }
-    const bool skinned = node.skin != kNone;
     int mesh = kNone;
     if (!findOrReadMesh(node.mesh, pose, mesh))
         return false;
     if (mesh == kNone)
         return true; // nothing in it can be drawn
-    const glm::mat4 world = skinned ? glm::mat4(1.0f) : m_worlds[at(index)];
-    m_scene.instances.push_back({node.name, mesh, world, glm::determinant(glm::mat3(world)) < 0.0f});
+    m_scene.instances.push_back({node.name, mesh, world, mirrored});
     return true;
 }
 
@@ -204,10 +211,10 @@ bool Walker::addLight(int index) {
         return true;
     if (!readLight(m_source, number.GetNumberAsInt(), light))
         return false;
-    const glm::mat4& world = m_worlds[at(index)];
-    light.position = glm::vec3(world[3]);
-    const glm::vec3 back(world[2]);
-    if (glm::length(back) > 0.0f)
+    const glm::dmat4& world = m_worlds[at(index)];
+    light.position = glm::dvec3(world[3]);
+    const glm::dvec3 back(world[2]);
+    if (glm::length(back) > 0.0)
         light.direction = -glm::normalize(back);
     m_scene.lights.push_back(light);
     return true;

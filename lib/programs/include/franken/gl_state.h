@@ -19,9 +19,9 @@ namespace FRANKEN_API franken {
 /// |---|---|
 /// | program, texture bindings of units 0 to 7 (2D and cube), active unit | what the material needs |
 /// | array and element array buffer, arrays 0 to 7 and their pointers | what the mesh needs |
-/// | blending, depth test, depth writes, face culling, front face | by pass and material |
+/// | blending, depth test, depth writes, face culling, culled face, front face | by pass and material |
 /// | blend equation and function | add; source alpha, one minus source alpha (alpha: one, same) |
-/// | depth function, depth range, cull face, colour mask | less or equal, 0 to 1 (overlays: 0), back, all |
+/// | depth function, depth range, colour mask | less or equal, 0 to 1 (overlays: 0), all |
 /// | scissor, stencil and dither, polygon offset, alpha to coverage, sample coverage | off |
 /// | framebuffer, viewport, clear colour, clear depth | the target's |
 /// | loading alone: unpack alignment | 4 |
@@ -49,6 +49,7 @@ public:
     void setDepthWrites(bool on);
     void setDepthRange(float near, float far);
     void setFrontFace(GLenum winding);
+    void setCulledFace(GLenum face);
 
     void useProgram(GLuint program);
     /// unit: 0 to 7. target: GL_TEXTURE_2D or GL_TEXTURE_CUBE_MAP.
@@ -89,7 +90,7 @@ private:
     std::optional<std::array<float, 3>> m_clearColor;
     std::optional<std::array<float, 2>> m_depthRange;
     std::optional<bool> m_blending, m_depthTest, m_culling, m_depthWrites;
-    GLenum m_frontFace = 0;
+    GLenum m_frontFace = 0, m_culledFace = 0;
     GLuint m_program = kUnknown, m_vertices = kUnknown, m_indices = kUnknown;
     unsigned m_unit = kUnknown;
     std::array<std::array<GLuint, 2>, kUnits> m_textures = unknownTextures(); ///< 2D, cube

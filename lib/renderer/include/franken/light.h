@@ -31,6 +31,6 @@ Lighting lightingOf(const Scene& scene, const Log& log = {});
 
 /// Folds all of it for programs. Punctual lights are given from the eye: `eye` is the camera's place in the
 /// world, m.
-LightsBlock packLighting(const Lighting& lighting, const Float3& eye);
+LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye);
 
 } // namespace franken
