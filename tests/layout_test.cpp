@@ -83,7 +83,8 @@ std::string resolve(const std::string& include, const std::string& from) {
                       "lib/assets/src", "examples"};
     if (include.starts_with("franken/"))
         for (const Part& other : kParts)
-            places.push_back(other.folder + "/include");
+            for (const char* headers : {"/include", "/internal"})
+                places.push_back(other.folder + headers);
     for (const std::string& place : places)
         if (fs::exists(kRoot / place / include))
             return (fs::path(place) / include).lexically_normal().generic_string();

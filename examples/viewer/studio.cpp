@@ -52,9 +52,9 @@ Result<void> Studio::show(const Subject& subject) {
     if (Result<void> loaded = m_renderer.load(subject.scene); !loaded)
         return loaded;
     if (subject.sky != m_sky) {
-        if (Result<void> shown = m_renderer.setBackdrop(backdropOf(subject)); !shown)
+        if (Result<void> shown = m_renderer.setSkybox(backdropOf(subject)); !shown)
             return shown;
-        if (Result<void> mirrored = m_renderer.setMirror(subject.sky ? &subject.sky->mirror : nullptr);
+        if (Result<void> mirrored = m_renderer.setReflection(subject.sky ? &subject.sky->mirror : nullptr);
             !mirrored)
             return mirrored;
         m_sky = subject.sky;

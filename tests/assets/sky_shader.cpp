@@ -63,7 +63,7 @@ const std::vector<SkyMaterial>& skyMaterials() {
     return materials;
 }
 
-glm::vec3 reflectedByShader(const SkyMirror& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
+glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
                             const SkyMaterial& material) {
     const float nDotV = std::max(glm::dot(n, v), 1e-4f);
     const glm::vec4 look = sample(sky.lookup, {nDotV, roughness});
@@ -90,7 +90,7 @@ double meanDifference(const glm::vec3& a, const glm::vec3& b) {
 double goal(const SkyError& error) { return error.nDotV > 0.5f ? 3 : 6; }
 
 std::vector<SkyError> skyErrors(const Environment& sky, int orientations) {
-    const SkyMirror mirror{filterSpecular(sky), specularLookup()};
+    const ReflectionMaps mirror{filterSpecular(sky), specularLookup()};
     const std::vector<SkyMaterial>& materials = skyMaterials();
     const std::vector<glm::vec3> normals = directions(orientations);
     std::vector<SkyError> errors;

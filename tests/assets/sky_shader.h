@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "franken/specular_sky.h"
+#include "franken/reflection.h"
 
 /// What a fragment shader makes of a sky's two textures, on the CPU and as a GPU does it: 8-bit texels,
 /// bilinear filter. And how far that is from brute force.
@@ -36,7 +36,7 @@ struct SkyMaterial {
 const std::vector<SkyMaterial>& skyMaterials();
 
 /// sky_specular.glsl. n, v: unit, v towards the eye.
-glm::vec3 reflectedByShader(const SkyMirror& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
+glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
                             const SkyMaterial& material);
 
 /// sRGB codes, 0-255, not rounded.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "franken/specular_sky.h"
+#include "franken/reflection.h"
 
 #include <algorithm>
 #include <cmath>
@@ -126,7 +126,7 @@ TEST(SpecularSky, SpheresMatchTheReference) {
         GTEST_SKIP() << folder << " is not there";
     const auto environment = loadEnvironment(kShared / "assets" / "env" / "venice.hdr");
     ASSERT_TRUE(environment);
-    const SkyMirror sky{filterSpecular(*environment), specularLookup()};
+    const ReflectionMaps sky{filterSpecular(*environment), specularLookup()};
     struct Row {
         const char* file;
         float roughness;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The cache of programs: what it compiles, shares, keeps, forgets and remembers as failed.
+#include "franken/key_table.h"
 #include "franken/program_cache.h"
 #include "support/offscreen.h"
 
@@ -42,8 +43,8 @@ TEST_P(ProgramCacheTest, ShadersAreSharedByTheirStage) {
 
 TEST_P(ProgramCacheTest, WhatBeganIsFinishedByGet) {
     ProgramCache cache(gl(), {.parallelCompile = true});
-    cache.begin(named("surface+sun1"));
-    cache.begin(named("surface+sun1"));
+    cache.compileInBackground(named("surface+sun1"));
+    cache.compileInBackground(named("surface+sun1"));
     EXPECT_EQ(cache.counters().links, 1u);
     EXPECT_EQ(cache.find(toKey(named("surface+sun1"))), nullptr);
     while (cache.pending(named("surface+sun1")))
@@ -110,8 +111,8 @@ TEST_P(ProgramCacheTest, AnAbandonedCacheDeletesNothing) {
     {
         ProgramCache cache(counting);
         const ProgramHandle held = make(cache, "surface+sun1");
-        cache.begin(named("surface+sun2"));
-        cache.abandon();
+        cache.compileInBackground(named("surface+sun2"));
+        cache.lost();
         EXPECT_EQ(held->name(), 0u);
         EXPECT_EQ(cache.size(), 0u);
     }

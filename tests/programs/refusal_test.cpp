@@ -42,7 +42,7 @@ std::vector<Permutation> ladderOf(const Shot& shot) {
 
 struct Drawn {
     std::size_t covered = 0; ///< Pixels that are not the background.
-    std::vector<LadderStep> steps;
+    std::vector<Fallback> steps;
     std::vector<std::string> log;
     Result<void> result;
 };
@@ -71,7 +71,7 @@ public:
             static_cast<std::size_t>(std::count_if(pixels.begin(), pixels.end(), [](const auto& pixel) {
                 return pixel[0] + pixel[1] + pixel[2] > 0;
             }));
-        drawn.steps = renderer.ladderSteps();
+        drawn.steps = renderer.fallbacks();
         EXPECT_EQ(m_gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
         return drawn;
     }
@@ -170,11 +170,11 @@ TEST_P(RefusalTest, ASkyThatIsRefusedLeavesTheBackground) {
     const std::vector<Permutation> skies = {*skyPermutation(shot.look)};
     Renderer renderer(refusingDriver(gl(), Refusal::Draw, skies));
     ASSERT_TRUE(renderer.load(shot.scene));
-    ASSERT_TRUE(renderer.setBackdrop(&cube));
+    ASSERT_TRUE(renderer.setSkybox(&cube));
     renderer.setLook(shot.look);
     ASSERT_TRUE(renderer.draw(viewpointOf(shot.camera, 1), {surface().framebuffer(), 64, 64}));
-    ASSERT_EQ(renderer.ladderSteps().size(), 1u);
-    EXPECT_EQ(toName(*renderer.ladderSteps()[0].next), "sky+aces") << "a rung, with a sky";
+    ASSERT_EQ(renderer.fallbacks().size(), 1u);
+    EXPECT_EQ(toName(*renderer.fallbacks()[0].next), "sky+aces") << "a rung, with a sky";
     EXPECT_GT(readBack().pixel(0, 0)[0], 0);
 }
 

@@ -114,7 +114,7 @@ TEST_P(WarmUpTest, OverTheBudgetASimplerProgramStandsIn) {
     EXPECT_EQ(small.programCounters().links, 1u) << "the last rung";
     EXPECT_GT(compareLit(standIn, wanted).max(), 10) << "something simpler";
     EXPECT_EQ(silhouetteOf(standIn), silhouetteOf(wanted)) << "of the same shape";
-    EXPECT_TRUE(small.ladderSteps().empty()) << "nothing failed";
+    EXPECT_TRUE(small.fallbacks().empty()) << "nothing failed";
 
     small.setCompileBudget(1);
     ASSERT_TRUE(streaming.draw(small, 1, targets));

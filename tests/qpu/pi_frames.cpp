@@ -7,6 +7,7 @@
 // only those of the frames. pi_frames_test.cpp runs it on Mesa's vc4 and v3d drivers over the no-op DRM
 // shims, which compile as they do on a Raspberry Pi and draw nothing: the target cannot be read back, so that
 // programs are taken on trust.
+#include "franken/gl_object.h"
 #include "support/kiosk_frames.h"
 
 #include <EGL/egl.h>

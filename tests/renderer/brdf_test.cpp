@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The BRDF snippets on single points, in floats, against double precision: numbers by others, and our own.
+#include "franken/gl_object.h"
 #include "support/brdf_reference.h"
 #include "support/draw_scene.h"
 #include "support/point_shader.h"

@@ -100,7 +100,7 @@ TEST_P(DrawingTest, NoStateIsSetTwiceAndNothingIsAskedFor) {
     const Shot shot = manyBalls();
     const std::unique_ptr<Renderer> renderer = warm(shot);
     const SkyCube cube = encodeSkyCube({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 4);
-    ASSERT_TRUE(renderer->setBackdrop(&cube));
+    ASSERT_TRUE(renderer->setSkybox(&cube));
     ASSERT_TRUE(renderer->prepare());
     StateFollower follower;
     for (int frame = 0; frame < 3; ++frame) {

@@ -3,6 +3,7 @@
 //
 // The page takes the bitangent as cross(T, N), glTF as cross(N, T) * w: so w is -1 here. Its normals are
 // right without translation alone: so there is none. Its ambient colour is given in gamma 2.2.
+#include "franken/gl_object.h"
 #include "support/draw_scene.h"
 #include "support/shapes.h"
 

@@ -17,7 +17,7 @@ constexpr double kTanHalfFov = 0.36397023426620234; // Of 20 degrees.
 /// The venice sky with all that is made of it, once for all tests.
 struct Sky {
     SkyCoefficients coefficients;
-    SkyMirror mirror;
+    ReflectionMaps mirror;
 };
 
 const Sky* venice() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The transfer curves for all 256 codes, in floats, against the exact ones. Errors are in codes of 0-255.
+#include "franken/gl_object.h"
 #include "support/draw_scene.h"
 #include "support/point_shader.h"
 

@@ -17,7 +17,7 @@ struct Shot {
     Lighting lighting;
     Look look = {};
     std::optional<SkyCube> backdrop = {};
-    std::optional<SkyMirror> mirror = {};
+    std::optional<ReflectionMaps> mirror = {};
     Float3 background{0, 0, 0};
 };
 

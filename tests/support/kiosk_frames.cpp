@@ -110,7 +110,7 @@ Result<void> KioskFrames::draw(Renderer& renderer, int frame, const std::vector<
         if (Result<void> shown = renderer.show({{m_models[model]}}); !shown)
             return shown;
     if (frame % 11 == 0)
-        if (Result<void> changed = renderer.setBackdrop(turn(11, 2) == 0 ? nullptr : &m_sky); !changed)
+        if (Result<void> changed = renderer.setSkybox(turn(11, 2) == 0 ? nullptr : &m_sky); !changed)
             return changed;
     renderer.setLook(kLooks[turn(50, kLooks.size())]);
     renderer.setLighting(m_lightings[turn(3, m_lightings.size())]);

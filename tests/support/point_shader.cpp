@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "franken/gl_object.h"
 #include "support/point_shader.h"
 
 #include <gtest/gtest.h>

@@ -22,6 +22,13 @@ bool contains(std::string_view list, std::string_view word) {
     return false;
 }
 
+/// At least what OpenGL ES 2.0 promises.
+int limitOf(const Gl& gl, GLenum name, int least) {
+    GLint limit = 0;
+    gl.GetIntegerv(name, &limit);
+    return std::max<int>(limit, least);
+}
+
 } // namespace
 
 Capabilities Capabilities::query(const Gl& gl) {
@@ -30,9 +37,8 @@ Capabilities Capabilities::query(const Gl& gl) {
     const std::string_view extensions = textOf(gl, GL_EXTENSIONS);
     // Desktop GL and GLES3 have in their core what GLES2 has as extensions.
     const bool core = !version.starts_with("OpenGL ES 2");
-    GLint size = 0;
-    gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
-    return {.maxTextureSize = size,
+    return {.maxTextureSize = limitOf(gl, GL_MAX_TEXTURE_SIZE, 64),
+            .maxCubeSize = limitOf(gl, GL_MAX_CUBE_MAP_TEXTURE_SIZE, 16),
             .anyTextureSize = core || contains(extensions, "GL_OES_texture_npot"),
             .wideIndices = core || contains(extensions, "GL_OES_element_index_uint"),
             .parallelCompile = contains(extensions, "GL_KHR_parallel_shader_compile"),

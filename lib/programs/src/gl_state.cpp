@@ -17,8 +17,8 @@ bool changes(Known& known, const Value& value) {
 
 } // namespace
 
-void GlState::begin() {
-    if (!changes(m_begun, true))
+void GlState::setBaseline() {
+    if (!changes(m_hasBaseline, true))
         return;
     for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
                                     GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE})

@@ -72,7 +72,7 @@ ProgramProbe::ProgramProbe(const Gl& gl, TextureReset& reset, Log log)
 std::vector<bool> ProgramProbe::draw(std::span<const Draw> draws, const DrawTarget* target) {
     const DrawTarget used = target != nullptr ? *target : ownTarget();
     m_state.invalidate();
-    m_state.begin();
+    m_state.setBaseline();
     m_state.setDepthTest(true);
     m_state.setCulling(false);
     m_gl->BindFramebuffer(GL_FRAMEBUFFER, used.framebuffer);

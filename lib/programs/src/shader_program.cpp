@@ -13,8 +13,8 @@ std::uint64_t newSerials(std::uint64_t count) {
     return next.fetch_add(count);
 }
 
-ShaderProgram::ShaderProgram(const Gl& gl, GlProgram program, Interface interface)
-    : m_gl(&gl), m_program(std::move(program)), m_interface(std::move(interface)) {
+ShaderProgram::ShaderProgram(const Gl& gl, GLuint program, Interface interface)
+    : m_gl(&gl), m_name(program), m_interface(std::move(interface)) {
     for (const Attribute& attribute : m_interface.attributes)
         m_attributes |= 1u << attribute.location;
     for (const Uniform& uniform : m_interface.uniforms)
@@ -22,6 +22,11 @@ ShaderProgram::ShaderProgram(const Gl& gl, GlProgram program, Interface interfac
     m_gl->UseProgram(name());
     for (const Sampler& sampler : m_interface.samplers)
         m_gl->Uniform1i(m_gl->GetUniformLocation(name(), sampler.name.c_str()), sampler.unit);
+}
+
+ShaderProgram::~ShaderProgram() {
+    if (m_name != 0)
+        m_gl->DeleteProgram(m_name);
 }
 
 void ShaderProgram::addSlot(const Uniform& uniform) {

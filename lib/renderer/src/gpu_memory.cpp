@@ -20,6 +20,13 @@ MemoryLease::~MemoryLease() {
         (*m_used)[static_cast<std::size_t>(m_use)] -= m_bytes;
 }
 
+bool GpuMemory::evictAll() {
+    const unsigned before = m_evictions;
+    while (m_evict && m_evict())
+        ++m_evictions;
+    return m_evictions != before;
+}
+
 Result<MemoryLease> GpuMemory::reserve(MemoryUse use, std::size_t bytes) {
     const auto fits = [&] { return used() <= m_budget && bytes <= m_budget - used(); };
     while (!fits() && m_evict && m_evict())

@@ -2,6 +2,7 @@
 #include "gpu_mesh.h"
 
 #include "franken/attribute_format.h"
+#include "gpu_buffer.h"
 
 #include <algorithm>
 #include <cassert>
@@ -98,7 +99,7 @@ std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices) {
     return parts;
 }
 
-Result<GpuMesh> GpuMesh::make(const Device& device, const Primitive& primitive) {
+Result<GpuMesh> GpuMesh::make(Device& device, const Primitive& primitive) {
     GpuMesh mesh;
     std::vector<MeshData> parts;
     parts.push_back(interleave(primitive));
@@ -111,7 +112,7 @@ Result<GpuMesh> GpuMesh::make(const Device& device, const Primitive& primitive) 
     return mesh;
 }
 
-Result<void> GpuMesh::addPart(const Device& device, const MeshData& data) {
+Result<void> GpuMesh::addPart(Device& device, const MeshData& data) {
     const std::size_t vertexCount = data.vertices.size() / static_cast<std::size_t>(data.format.stride);
     const bool wide = vertexCount > kMaxShortVertices;
     const std::size_t indexBytes =
@@ -119,24 +120,22 @@ Result<void> GpuMesh::addPart(const Device& device, const MeshData& data) {
     Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Meshes, data.vertices.size() + indexBytes);
     if (!lease)
         return lease.error();
-    const Gl& gl = device.gl;
-    Part part{.vertices = GlBuffer(gl, generate(gl.GenBuffers)),
-              .indices = GlBuffer(gl, generate(gl.GenBuffers)),
-              .memory = *std::move(lease),
-              .count = static_cast<GLsizei>(data.indices.size()),
-              .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT)};
-    const auto upload = [&](GLenum target, const GlBuffer& buffer, const void* from, std::size_t bytes) {
-        gl.BindBuffer(target, buffer.name());
-        gl.BufferData(target, static_cast<GLsizeiptr>(bytes), from, GL_STATIC_DRAW);
-    };
-    upload(GL_ARRAY_BUFFER, part.vertices, data.vertices.data(), data.vertices.size());
-    if (wide) {
-        upload(GL_ELEMENT_ARRAY_BUFFER, part.indices, data.indices.data(), indexBytes);
-    } else {
-        const std::vector<std::uint16_t> narrow(data.indices.begin(), data.indices.end());
-        upload(GL_ELEMENT_ARRAY_BUFFER, part.indices, narrow.data(), indexBytes);
-    }
-    m_parts.push_back(std::move(part));
+    Result<GlBuffer> vertices =
+        uploadBuffer(device.gl, GL_ARRAY_BUFFER, std::as_bytes(std::span(data.vertices)));
+    if (!vertices)
+        return vertices.error();
+    const std::vector<std::uint16_t> narrow(data.indices.begin(),
+                                            wide ? data.indices.begin() : data.indices.end());
+    Result<GlBuffer> indices =
+        uploadBuffer(device.gl, GL_ELEMENT_ARRAY_BUFFER,
+                     wide ? std::as_bytes(std::span(data.indices)) : std::as_bytes(std::span(narrow)));
+    if (!indices)
+        return indices.error();
+    m_parts.push_back({.vertices = *std::move(vertices),
+                       .indices = *std::move(indices),
+                       .memory = *std::move(lease),
+                       .count = static_cast<GLsizei>(data.indices.size()),
+                       .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT)});
     return {};
 }
 

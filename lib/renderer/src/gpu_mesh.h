@@ -38,8 +38,8 @@ public:
     /// 16-bit indices up to 65,534: where primitive restart is always on, as in WebGL 2, 65,535 is no vertex.
     static constexpr std::size_t kMaxShortVertices = 65'535;
 
-    /// Fails with "memory.budget".
-    static Result<GpuMesh> make(const Device& device, const Primitive& primitive);
+    /// Fails with "memory.budget" and with "gl.object".
+    static Result<GpuMesh> make(Device& device, const Primitive& primitive);
 
     /// Draws with the program in use, whose attribute arrays (those and no others) are enabled. uvSets: which
     /// TEXCOORD_n is fed to each UV stream.
@@ -53,7 +53,7 @@ private:
         GLenum indexType = GL_UNSIGNED_SHORT;
     };
 
-    Result<void> addPart(const Device& device, const MeshData& data);
+    Result<void> addPart(Device& device, const MeshData& data);
     void setPointers(GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;
 
     VertexFormat m_format;

@@ -18,7 +18,7 @@ TextureContents textureContents(std::size_t unit) {
 
 class Uploader {
 public:
-    Uploader(const Device& device, const Scene& scene, const DefaultTextures& defaults)
+    Uploader(Device& device, const Scene& scene, const DefaultTextures& defaults)
         : m_device(device), m_scene(scene), m_defaults(defaults) {}
 
     Result<GpuScene> make() {
@@ -98,7 +98,7 @@ private:
         return texture.texture.name();
     }
 
-    const Device& m_device;
+    Device& m_device;
     const Scene& m_scene;
     const DefaultTextures& m_defaults;
     GpuScene m_gpu;
@@ -109,7 +109,7 @@ private:
 DefaultTextures::DefaultTextures(const Gl& gl)
     : white(uploadTexel(gl, {255, 255, 255, 255})), flatNormal(uploadTexel(gl, {128, 128, 255, 255})) {}
 
-Result<GpuScene> upload(const Device& device, const Scene& scene, const DefaultTextures& defaults) {
+Result<GpuScene> upload(Device& device, const Scene& scene, const DefaultTextures& defaults) {
     return Uploader(device, scene, defaults).make();
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "gpu_texture.h"
 
+#include "checks.h"
 #include "franken/gl_sampling.h"
 #include "franken/mipmap.h"
+#include "gpu_buffer.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +15,8 @@ namespace franken {
 namespace {
 
 bool needsPowersOfTwo(const Texture& texture) {
-    return usesMipmaps(texture.minFilter) || texture.wrapS != Wrap::ClampToEdge || texture.wrapT != Wrap::ClampToEdge;
+    return usesMipmaps(texture.minFilter) || texture.wrapS != Wrap::ClampToEdge ||
+           texture.wrapT != Wrap::ClampToEdge;
 }
 
 int powerOfTwoBelow(int size) { return static_cast<int>(std::bit_floor(static_cast<unsigned>(size))); }
@@ -69,19 +72,23 @@ std::size_t textureBytes(TextureSize size, bool mipmaps) {
     }
 }
 
-Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const Texture& texture,
+Result<GpuTexture> uploadTexture(Device& device, const Image& image, const Texture& texture,
                                  TextureContents contents) {
-    const auto& [gl, capabilities, memory, log] = device;
-    const TextureSize size = fittedSize(image, texture, capabilities);
+    if (Result<void> checked = check(image); !checked)
+        return checked.error();
+    const Gl& gl = device.gl;
+    const TextureSize size = fittedSize(image, texture, device.capabilities);
     const bool mipmaps = usesMipmaps(texture.minFilter);
-    Result<MemoryLease> lease = memory.reserve(MemoryUse::Textures, textureBytes(size, mipmaps));
+    Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Textures, textureBytes(size, mipmaps));
     if (!lease)
         return lease.error();
-    if (log && std::max(image.width, image.height) > capabilities.maxTextureSize)
-        log(LogLevel::Warning, "image \"" + image.name + "\" is scaled down to " +
-                                   std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                   ": the GPU takes no more");
+    if (device.log && std::max(image.width, image.height) > device.capabilities.maxTextureSize)
+        device.log(LogLevel::Warning, "image \"" + image.name + "\" is scaled down to " +
+                                          std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                          ": the GPU takes no more");
     GlTexture name(gl, generate(gl.GenTextures));
+    if (!name)
+        return noObject("texture");
     bind(gl, GL_TEXTURE_2D, name, texture);
     if (size == TextureSize{image.width, image.height})
         uploadLevels(gl, image, mipmaps, contents);
@@ -97,12 +104,29 @@ GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
     return name;
 }
 
-GlTexture uploadCube(const Gl& gl, const SkyCube& cube) {
-    GlTexture name(gl, generate(gl.GenTextures));
-    bind(gl, GL_TEXTURE_CUBE_MAP, name, kPlainSampling);
+Result<GpuTexture> uploadCube(Device& device, const SkyCube& cube) {
+    for (const Image& face : cube.images)
+        if (Result<void> checked = check(face); !checked)
+            return checked.error();
+        else if (face.width != cube.size || face.height != cube.size ||
+                 cube.size > device.capabilities.maxCubeSize)
+            return Error{"renderer.sky", "",
+                         "a face of the sky is " + std::to_string(face.width) + "x" +
+                             std::to_string(face.height) + ", of a cube of " + std::to_string(cube.size) +
+                             ", and the GPU takes up to " + std::to_string(device.capabilities.maxCubeSize),
+                         "make it with encodeSkyCube(), in a size that the GPU takes"};
+    Result<MemoryLease> lease = device.memory.reserve(
+        MemoryUse::Textures, cube.images.size() * textureBytes({cube.size, cube.size}, false));
+    if (!lease)
+        return lease.error();
+    GlTexture name(device.gl, generate(device.gl.GenTextures));
+    if (!name)
+        return noObject("texture");
+    bind(device.gl, GL_TEXTURE_CUBE_MAP, name, kPlainSampling);
     for (std::size_t face = 0; face < cube.images.size(); ++face)
-        uploadPixels(gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), cube.images[face]);
-    return name;
+        uploadPixels(device.gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face),
+                     cube.images[face]);
+    return GpuTexture{std::move(name), *std::move(lease)};
 }
 
 } // namespace franken

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "franken/capabilities.h"
+#include "device.h"
 #include "franken/environment.h"
 #include "franken/gl_object.h"
-#include "franken/gpu_memory.h"
-#include "franken/log.h"
-#include "franken/scene.h"
 #include "franken/resample.h"
+#include "franken/scene.h"
 
 #include <array>
 
 namespace franken {
-
-/// Where uploads go.
-struct Device {
-    const Gl& gl;
-    const Capabilities& capabilities;
-    GpuMemory& memory;
-    const Log& log;
-};
 
 struct GpuTexture {
     GlTexture texture;
@@ -45,14 +35,16 @@ TextureSize fittedSize(const Image& image, const Texture& texture, const Capabil
 std::size_t textureBytes(TextureSize size, bool mipmaps);
 
 /// Uploads as RGBA8, with mipmaps where the filter uses them; resampled to its fitted size, with a warning
-/// where the GPU's limit is the reason. Fails with "memory.budget". This and the next two leave the texture
-/// bound to unit 0.
-Result<GpuTexture> uploadTexture(const Device& device, const Image& image, const Texture& texture,
+/// where the GPU's limit is the reason. Fails with "renderer.image" for an image whose size and bytes differ,
+/// with "memory.budget" and with "gl.object". This and the next two leave the texture bound to unit 0.
+Result<GpuTexture> uploadTexture(Device& device, const Image& image, const Texture& texture,
                                  TextureContents contents);
 
 /// One texel.
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba);
 
-GlTexture uploadCube(const Gl& gl, const SkyCube& cube);
+/// Fails as uploadTexture() does, and with "renderer.sky" for faces of different sizes, or larger than the
+/// GPU takes.
+Result<GpuTexture> uploadCube(Device& device, const SkyCube& cube);
 
 } // namespace franken

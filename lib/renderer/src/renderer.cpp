@@ -1,36 +1,98 @@
 // SPDX-License-Identifier: MIT
-#include "renderer_state.h"
+#include "franken/renderer.h"
 
-#include <algorithm>
+#include "checks.h"
+#include "frame.h"
+#include "franken/context_check.h"
+#include "franken/guard.h"
+#include "overlay.h"
+
+#include <array>
 
 namespace franken {
 namespace {
 
-/// Whether one light may follow the other without other programs and other material blocks.
-bool sameShape(const Lighting& a, const Lighting& b) {
-    const auto spots = [](const Lighting& lighting) {
-        return std::any_of(lighting.punctualLights.begin(), lighting.punctualLights.end(),
-                           [](const PunctualLight& light) { return light.spot; });
-    };
-    return a.suns.size() == b.suns.size() && a.punctualLights.size() == b.punctualLights.size() &&
-           spots(a) == spots(b) && a.ambient == b.ambient && a.reflection == b.reflection &&
-           a.exposure == b.exposure;
-}
+/// Programs have no GL object of the renderer's, but are lost and compiled again as all else.
+class OwnedPrograms final : public GlOwner {
+public:
+    explicit OwnedPrograms(Device& device)
+        : manager(device.gl, device.capabilities, device.log), m_device(device) {}
+
+    void lost() override { manager.lost(); }
+    Result<void> restore() override {
+        manager.restore(m_device.capabilities);
+        return {};
+    }
+
+    ProgramManager manager;
+
+private:
+    Device& m_device;
+};
 
 } // namespace
 
-Result<void> checkMemory(const Gl& gl) {
-    for (GLenum error = gl.GetError(); error != GL_NO_ERROR; error = gl.GetError())
-        if (error == GL_OUT_OF_MEMORY)
-            return Error{"renderer.memory", "", "the GPU's memory does not suffice",
-                         "use smaller textures, or raise the memory that the GPU gets"};
-    return {};
-}
+/// The owners of a renderer's GL objects, and what goes through all of them.
+struct [[gnu::visibility("hidden")]] Renderer::State {
+    State(const Gl& gl, const Capabilities& capabilities, Log log)
+        : device(gl, capabilities, std::move(log)) {
+        device.memory.setEvict([this] { return evictOne(); });
+    }
 
-Renderer::State::State(const Gl& table, const Capabilities& found, Log log_)
-    : gl(table), capabilities(found), log(std::move(log_)), defaults(gl), mirror(gl) {
-    memory.setEvict([this] { return evictOne(); });
-}
+    void lost() {
+        device.lost();
+        for (GlOwner* owner : owners)
+            owner->lost();
+    }
+
+    Result<void> restore(const Gl& gl, const Capabilities& capabilities) {
+        if (!device.isLost)
+            lost();
+        device.restore(gl, capabilities);
+        FirstError first;
+        for (GlOwner* owner : owners)
+            first.add(owner->restore());
+        return first.take();
+    }
+
+    /// Whether there was anything to evict.
+    bool evictOne() {
+        GlOwner* oldest = nullptr;
+        for (GlOwner* owner : owners)
+            if (owner->oldestUse() && (oldest == nullptr || *owner->oldestUse() < *oldest->oldestUse()))
+                oldest = owner;
+        if (oldest == nullptr)
+            return false;
+        oldest->evictOldest();
+        device.state.invalidate();
+        return true;
+    }
+
+    /// What all functions that call GL do first and last: `function` returns a Result. A context that turns
+    /// out to be gone counts as lost from then on.
+    template<typename Function>
+    auto call(const char* where, Function&& function)->decltype(function()) {
+        device.thread.check();
+        if (device.isLost)
+            return franken::contextLost();
+        decltype(function()) result = guarded(where, std::forward<Function>(function));
+        if (!result && result.error().code == franken::contextLost().code && !device.isLost)
+            lost();
+        return result;
+    }
+
+    Device device;
+    OwnedPrograms programs{device};
+    Models models{device};
+    Skybox skybox{device};
+    ReflectionTextures reflection{device};
+    Pictures pictures{device};
+    Overlay overlay{device, programs.manager};
+    Frame frame{device, programs.manager, {models, skybox, reflection}};
+    const std::array<GlOwner*, 7> owners = {&programs, &models,  &skybox, &reflection,
+                                            &pictures, &overlay, &frame};
+    Result<void> lightingError; ///< Of the last setLighting().
+};
 
 Renderer::Renderer(const Gl& gl, Log log) : Renderer(gl, Capabilities::query(gl), std::move(log)) {}
 
@@ -39,49 +101,130 @@ Renderer::Renderer(const Gl& gl, const Capabilities& capabilities, Log log)
 
 Renderer::~Renderer() = default;
 
+Result<ModelId> Renderer::add(const Scene& scene, SceneSource source) {
+    return m_state->call("add()", [&] { return m_state->models.add(scene, std::move(source)); });
+}
+
+Result<void> Renderer::show(std::span<const ModelId> models) {
+    return m_state->call("show()", [&] { return m_state->models.show(models); });
+}
+
+void Renderer::remove(ModelId model) { m_state->models.remove(model); }
+
+Result<void> Renderer::load(const Scene& scene, SceneSource source) {
+    return m_state->call("load()", [&] { return m_state->models.load(scene, std::move(source)); });
+}
+
+Result<void> Renderer::setSkybox(const SkyCube* cube, SkyboxSource source) {
+    m_state->frame.forgetPrograms();
+    return m_state->call("setSkybox()", [&] { return m_state->skybox.set(cube, std::move(source)); });
+}
+
+Result<void> Renderer::setReflection(const ReflectionMaps* maps, ReflectionSource source) {
+    return m_state->call("setReflection()", [&] { return m_state->reflection.set(maps, std::move(source)); });
+}
+
 void Renderer::setLighting(const Lighting& lighting) {
-    m_state->resolved = m_state->resolved && sameShape(m_state->lighting, lighting);
-    m_state->lighting = lighting;
+    m_state->lightingError = check(lighting);
+    if (m_state->lightingError)
+        m_state->frame.setLighting(lighting);
 }
 
 void Renderer::setLook(const Look& look) {
-    m_state->look = look;
-    m_state->overlayProgram.reset();
-    m_state->resolved = false;
+    m_state->frame.setLook(look);
+    m_state->overlay.forgetProgram();
 }
 
 void Renderer::setSnippets(const SnippetSet& snippets) {
-    m_state->programs.setSnippets(snippets);
-    m_state->overlayProgram.reset();
-    m_state->resolved = false;
+    m_state->programs.manager.setSnippets(snippets);
+    m_state->frame.forgetPrograms();
+    m_state->overlay.forgetProgram();
 }
+
+Result<void> Renderer::prepare() {
+    return m_state->call("prepare()", [&]() -> Result<void> {
+        if (!m_state->lightingError)
+            return m_state->lightingError;
+        return m_state->frame.resolvePrograms(nullptr);
+    });
+}
+
+Result<WarmUpReport> Renderer::warmUp(const DrawTarget& target, std::span<const ProgramUse> uses,
+                                      const WarmUpProgress& progress) {
+    return m_state->call("warmUp()", [&]() -> Result<WarmUpReport> {
+        if (Result<void> checked = check(target); !checked)
+            return checked.error();
+        Result<WarmUpReport> report = m_state->programs.manager.warmUp(uses, target, progress);
+        m_state->device.state.invalidate();
+        return report;
+    });
+}
+
+void Renderer::setCompileBudget(unsigned programsPerFrame) {
+    m_state->programs.manager.setBudget(programsPerFrame);
+}
+
+std::vector<ProgramUse> Renderer::takeMisses() { return m_state->programs.manager.takeMisses(); }
+
+const std::vector<Fallback>& Renderer::fallbacks() const { return m_state->programs.manager.fallbacks(); }
+
+const ProgramCounters& Renderer::programCounters() const { return m_state->programs.manager.counters(); }
 
 Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
     State& state = *m_state;
-    state.frameBegan = ++state.clock;
-    state.programs.beginFrame();
-    Result<void> resolved = state.resolvePrograms(&target);
-    if (state.lost)
-        return resolved;
-    state.updateBlocks(viewpoint, target);
-    state.beginFrame(target);
-    state.drawOpaque();
-    if (state.sky && state.skyProgram)
-        state.drawBackdrop();
-    state.drawBlended();
-    return resolved;
+    return state.call("draw()", [&]() -> Result<void> {
+        if (Result<void> checked = check(target); !checked)
+            return checked;
+        if (Result<void> checked = check(viewpoint); !checked)
+            return checked;
+        state.device.frameBegan = ++state.device.clock;
+        state.programs.manager.resetBudget();
+        Result<void> resolved = state.frame.resolvePrograms(&target);
+        if (!resolved && resolved.error().code == franken::contextLost().code)
+            return resolved;
+        state.frame.draw(viewpoint, target);
+        return state.lightingError ? resolved : state.lightingError;
+    });
+}
+
+Result<PictureId> Renderer::addPicture(const Image& picture, PictureSource source) {
+    return m_state->call("addPicture()", [&] { return m_state->pictures.add(picture, std::move(source)); });
+}
+
+void Renderer::removePicture(PictureId picture) { m_state->pictures.remove(picture); }
+
+Result<void> Renderer::drawOverlay(std::span<const OverlayQuad> quads, const DrawTarget& target) {
+    return m_state->call("drawOverlay()", [&]() -> Result<void> {
+        if (Result<void> checked = check(target); !checked)
+            return checked;
+        if (Result<void> checked = check(quads); !checked)
+            return checked;
+        if (quads.empty())
+            return {};
+        if (Result<void> prepared = m_state->pictures.prepare(quads); !prepared)
+            return prepared;
+        return m_state->overlay.draw(quads, m_state->pictures, m_state->frame.look(), target);
+    });
 }
 
 void Renderer::invalidateState() {
-    m_state->glState.invalidate();
-    m_state->programs.invalidateState();
+    m_state->device.state.invalidate();
+    m_state->programs.manager.invalidateState();
 }
 
-FrameCounters Renderer::frameCounters() const {
-    const std::size_t all = m_state->opaque.size() + m_state->blended.size();
-    return {.drawn = m_state->drawn, .culled = all - m_state->drawn};
+void Renderer::contextLost() { m_state->lost(); }
+
+Result<void> Renderer::restore(const Gl& gl) { return restore(gl, Capabilities::query(gl)); }
+
+Result<void> Renderer::restore(const Gl& gl, const Capabilities& capabilities) {
+    Result<void> restored = guarded("restore()", [&] { return m_state->restore(gl, capabilities); });
+    if (!restored && restored.error().code == franken::contextLost().code)
+        m_state->lost();
+    return restored;
 }
 
-GpuMemory& Renderer::memory() { return m_state->memory; }
+GpuMemory& Renderer::memory() { return m_state->device.memory; }
+
+FrameCounters Renderer::frameCounters() const { return m_state->frame.counters(); }
 
 } // namespace franken

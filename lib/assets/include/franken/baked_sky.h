@@ -9,7 +9,7 @@
 
 #include "franken/api.h"
 #include "franken/environment.h"
-#include "franken/specular_sky.h"
+#include "franken/reflection.h"
 
 /// A sky with all that programs need of it, and the file that holds it. Filtering a sky takes seconds on a
 /// desktop and most of a minute on a Pi: `bake` (in examples/) does it once, and a Pi reads the result.
@@ -19,8 +19,8 @@ namespace FRANKEN_API franken {
 struct BakedSky {
     SkyCoefficients coefficients{}; ///< Lighting::sky.
     std::optional<Sun> sun;         ///< What was taken out of the sky, to be added to Lighting::suns.
-    SkyCube backdrop;               ///< Renderer::setBackdrop(); its size is 0 where none was asked for.
-    SkyMirror mirror;               ///< Renderer::setMirror().
+    SkyCube backdrop;               ///< Renderer::setSkybox(); its size is 0 where none was asked for.
+    ReflectionMaps mirror;               ///< Renderer::setReflection().
 };
 
 struct BakeOptions {

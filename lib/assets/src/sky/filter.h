@@ -8,7 +8,7 @@
 #include <glm/vec3.hpp>
 
 #include "franken/environment.h"
-#include "franken/specular_sky.h"
+#include "franken/reflection.h"
 
 namespace franken {
 

@@ -10,6 +10,7 @@ namespace FRANKEN_API franken {
 /// OpenGL ES 2.0 promises.
 struct Capabilities {
     int maxTextureSize = 64; ///< Width and height, texels.
+    int maxCubeSize = 16;    ///< Of the faces of cube maps, texels.
     /// Repeat and mipmaps for sizes that are no powers of two: GL_OES_texture_npot.
     bool anyTextureSize = false;
     bool wideIndices = false;     ///< 32-bit indices: GL_OES_element_index_uint.

@@ -13,7 +13,7 @@ namespace FRANKEN_API franken {
 
 /// What a driver compiles a program for, besides its text: vc4 and v3d compile again at the first draw in
 /// which one of these is new. The rest that they look at is the same in all draws of this library: textures
-/// are RGBA8, each attribute has one format (attribute_format.h), the depth test is on, all channels are written;
+/// are RGBA8, each attribute has one format, the depth test is on, all channels are written;
 /// or it is the target's: its format, its samples.
 struct DrawState {
     struct Wraps {

@@ -40,7 +40,7 @@ public:
     void invalidate() { *this = GlState(*m_gl); }
 
     /// Sets everything that is the same for all draws of the library, where it is not known to be set.
-    void begin();
+    void setBaseline();
 
     void setClearColor(const std::array<float, 3>& color);
     void setBlending(bool on) { setCapability(m_blending, GL_BLEND, on); }
@@ -86,7 +86,7 @@ private:
     void setCapability(std::optional<bool>& known, GLenum capability, bool on);
 
     const Gl* m_gl;
-    bool m_begun = false;
+    bool m_hasBaseline = false;
     std::optional<std::array<float, 3>> m_clearColor;
     std::optional<std::array<float, 2>> m_depthRange;
     std::optional<bool> m_blending, m_depthTest, m_culling, m_depthWrites;

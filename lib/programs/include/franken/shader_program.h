@@ -3,22 +3,27 @@
 
 #include "franken/api.h"
 #include "franken/generator/compose.h"
-#include "franken/gl_object.h"
+#include "franken/gl.h"
 #include "franken/uniform_block.h"
 
+#include <array>
 #include <vector>
 
 namespace FRANKEN_API franken {
 
 /// A linked program, and how its uniforms are fed. Where each uniform's value lies was looked up once, after
-/// the link; feeding a program that has seen the same blocks makes no GL call.
+/// the link; feeding a program that has seen the same blocks makes no GL call. Deletes the GL program at its
+/// end, with the context current.
 class ShaderProgram {
 public:
-    /// Takes a program that is linked from that interface, and sets its sampler units. Leaves the program in
-    /// use.
-    ShaderProgram(const Gl& gl, GlProgram program, Interface interface);
+    /// Takes over a program that is linked from that interface, and sets its sampler units. Leaves the
+    /// program in use. The table must outlive the object.
+    ShaderProgram(const Gl& gl, GLuint program, Interface interface);
+    ShaderProgram(const ShaderProgram&) = delete;
+    ShaderProgram& operator=(const ShaderProgram&) = delete;
+    ~ShaderProgram();
 
-    GLuint name() const { return m_program.name(); }
+    GLuint name() const { return m_name; }
     const Interface& interface() const { return m_interface; }
 
     /// Bit n: the program reads the attribute at location n.
@@ -29,8 +34,8 @@ public:
     void feed(const BlockViews& blocks);
     void feed(Block block, const BlockView& view);
 
-    /// After a lost context: gives its name up without deleting it. It cannot be used any more.
-    void abandon() { m_program.release(); }
+    /// After a lost context: forgets the GL program without deleting it. It cannot be used any more.
+    void lost() { m_name = 0; }
 
 private:
     struct Slot {
@@ -44,7 +49,7 @@ private:
     void upload(const Slot& slot, const float* values) const;
 
     const Gl* m_gl;
-    GlProgram m_program;
+    GLuint m_name;
     Interface m_interface;
     unsigned m_attributes = 0;
     std::array<std::vector<Slot>, 4> m_slots; ///< By Block.

@@ -56,10 +56,10 @@ class GpuMemory {
 public:
     static constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 
-    /// Frees something that can be made again; false where there is nothing left to free.
+    /// Evicts something that can be loaded again; false where there is nothing left to evict.
     using Evict = std::function<bool()>;
 
-    /// Does not free anything by itself: what is over a new budget goes when something else is reserved.
+    /// Frees nothing now; where the new budget is already exceeded, the next reserve() evicts.
     void setBudget(std::size_t bytes) { m_budget = bytes; }
     std::size_t budget() const { return m_budget; }
 
@@ -68,13 +68,17 @@ public:
     std::size_t used(MemoryUse use) const { return (*m_used)[static_cast<std::size_t>(use)]; }
     std::size_t used() const { return (*m_used)[0] + (*m_used)[1] + (*m_used)[2]; }
 
-    /// How often something was freed to make room.
+    /// How often something was evicted.
     unsigned evictions() const { return m_evictions; }
 
-    /// Takes bytes out of the budget before they are asked of GL; where they do not fit, frees what can be
-    /// freed until they do. Fails with "memory.budget", which names the figures; what was freed stays freed.
-    /// An application reserves its own render targets, so that they are counted: width * height * 4 for
-    /// RGBA8, the same for depth with stencil, times the samples.
+    /// Evicts all that can be evicted, as where the driver itself has no memory left; whether there was
+    /// anything.
+    bool evictAll();
+
+    /// Takes bytes out of the budget before GL is asked for them; where they do not fit, evicts until they
+    /// do. Fails with "memory.budget", which names the figures; what was evicted stays evicted. An
+    /// application reserves its own render targets, so that they are counted: width * height * 4 for RGBA8,
+    /// the same for depth with stencil, times the samples.
     Result<MemoryLease> reserve(MemoryUse use, std::size_t bytes);
 
 private:

@@ -20,7 +20,7 @@ struct Lighting {
     Float3 ambientColor{0, 0, 0};              ///< Linear radiance, 0 and up.
     SkyCoefficients sky{};
     /// Beside Ambient::Sky: whether surfaces mirror the sky that the renderer was given
-    /// (Renderer::setMirror).
+    /// (Renderer::setReflection).
     Reflection reflection = Reflection::None;
     float exposure = 1; ///< Multiplies all light, that of emissive surfaces included; above 0.
 };

@@ -11,10 +11,10 @@
 #include "franken/log.h"
 #include "franken/material.h"
 #include "franken/overlay.h"
-#include "franken/program_supply.h"
+#include "franken/program_manager.h"
 #include "franken/program_uses.h"
+#include "franken/reflection.h"
 #include "franken/scene.h"
-#include "franken/specular_sky.h"
 #include "franken/viewpoint.h"
 
 #include <array>
@@ -24,36 +24,43 @@
 
 namespace FRANKEN_API franken {
 
-/// A model that a renderer holds; never given to another one.
+/// A model that a renderer holds; no other handle of the process has its value.
 enum class ModelId : unsigned {};
 
-/// Makes again what the GPU lost or gave up, from where it came: reads the file again, so that no pixels are
-/// kept in memory for that. Called from show() and restore(), in their thread; must not call the renderer.
+/// Load again what the GPU lost or evicted: a source reads its file anew, so that no pixels stay in memory
+/// for that. Called from show(), drawOverlay() and restore(), in their thread; a source must not call the
+/// renderer. An exception that it throws becomes "renderer.exception".
 using SceneSource = std::function<Result<Scene>()>;
-using SkySource = std::function<Result<SkyCube>()>;
-using MirrorSource = std::function<Result<SkyMirror>()>;
+using SkyboxSource = std::function<Result<SkyCube>()>;
+using ReflectionSource = std::function<Result<ReflectionMaps>()>;
 
-/// What the last frame showed.
+/// Counts of the last frame.
 struct FrameCounters {
     std::size_t drawn = 0;  ///< Primitives.
     std::size_t culled = 0; ///< Primitives that lie outside the view.
 };
 
-/// Draws models: one pass, opaque and masked surfaces by program, material and mesh, then the sky, then
-/// blended surfaces back to front. What lies outside the view is not drawn.
+/// Draws models: one pass, opaque and masked surfaces by program, material and mesh, then the skybox, then
+/// blended surfaces back to front. Surfaces outside the view are culled.
 ///
-/// A renderer holds any number of models on the GPU and shows some of them. Where its memory has a budget
-/// (see memory()), models that are not shown and have a source are given up, those shown longest ago first,
-/// and read again when they are shown. Likewise pictures for overlays that were not drawn since the last
-/// draw(). A kiosk that changes models:
+/// A renderer holds any number of models on the GPU and shows some of them. If its memory has a budget (see
+/// memory()), or the driver has none left, hidden models with a source are evicted, least recently shown
+/// first, and loaded again when shown again; so are pictures that were not drawn since the last draw(). A
+/// kiosk that changes models:
 ///
 ///     const SceneSource vase = [] { return loadGltf("vase.glb"); };
 ///     const Result<ModelId> id = renderer.add(*scene, vase); // The scene may come from another thread.
 ///     renderer.show({{*id}});
 ///
-/// Belongs to the thread of its context, which must be current in all calls and in the destructor, except
-/// where it is said otherwise. A frame asks GL for nothing and sets what it depends on (gl_state.h has the
-/// list) where it is not set yet: see invalidateState().
+/// Use it on one thread, with its GL context current, unless a function says otherwise; the destructor too. A
+/// frame asks GL for nothing and sets the state that it depends on (gl_state.h has the list) where it is not
+/// set yet: see invalidateState().
+///
+/// **Errors.** All functions that return a Result also fail with "renderer.context-lost" between
+/// contextLost() and restore(), and where the context no longer answers: it counts as lost then. They fail
+/// with "renderer.exception" where an exception was thrown; none leaves them. Uploads fail with
+/// "memory.budget", with "renderer.memory" where the GPU's memory does not suffice even after everything that
+/// can be was evicted, and with "gl.object" where the driver makes no object.
 class Renderer {
 public:
     /// Copies the table. Asks the context for its capabilities.
@@ -61,90 +68,97 @@ public:
     Renderer(const Gl& gl, const Capabilities& capabilities, Log log = {});
     ~Renderer();
 
-    /// Uploads a scene, without showing it. The scene is not needed afterwards. Warns of what is left out.
-    /// Fails with "memory.budget", and with "renderer.memory" where the GPU's memory does not suffice
-    /// although the budget does. A model without a source is never given up, and is lost with the context.
+    /// Uploads a scene, without showing it. The scene is not needed afterwards. Logs a warning for everything
+    /// that is left out. Fails as an upload, and as check(scene). A model without a source is never evicted,
+    /// and is lost with the context.
     Result<ModelId> add(const Scene& scene, SceneSource source = {});
 
-    /// Shows these models and no others; reads those again that were given up. Where that fails, what was
-    /// shown stays, unless it had to make room. Fails as add() does, as a source does, with "renderer.model"
-    /// for an unknown model, and with "renderer.no-source" for one that was lost.
+    /// Shows these models and no others; loads evicted ones again. Where that fails, the models that were
+    /// shown stay, unless they were evicted to make room. Fails as add() and as a source do, with
+    /// "renderer.model" for an unknown model, and with "renderer.no-source" for a lost one.
     Result<void> show(std::span<const ModelId> models);
 
     /// Deletes a model. Does nothing for an unknown one.
     void remove(ModelId model);
 
-    /// Adds a model, shows it and removes all others. Fails as add() does; what was there stays then, unless
-    /// it had to make room.
+    /// Adds a model, shows it and removes all others. Fails as add() does; the other models stay then, unless
+    /// they were evicted to make room.
     Result<void> load(const Scene& scene, SceneSource source = {});
 
-    /// Shows a sky behind the scene, or none (null). It lights nothing: that is Lighting's matter. Fails as
-    /// add() does.
-    Result<void> setBackdrop(const SkyCube* cube, SkySource source = {});
+    /// Shows a sky behind the scene, or none (null). It lights nothing; Lighting does. Fails as an upload,
+    /// and with "renderer.sky" or "renderer.image" where the cube's faces do not fit together or the GPU.
+    Result<void> setSkybox(const SkyCube* cube, SkyboxSource source = {});
 
-    /// Takes what rough mirrors show of a sky, or nothing (null). Seen where Lighting::reflection asks for
-    /// it; surfaces reflect no sky then while there is none here. Fails with "renderer.sky" where the atlas
-    /// is larger than the GPU's textures, and as add() does.
-    Result<void> setMirror(const SkyMirror* mirror, MirrorSource source = {});
+    /// Takes the textures that surfaces reflect, or none (null). They are seen where Lighting::reflection
+    /// asks for a reflection; without them, surfaces reflect no sky. Fails as setSkybox() does.
+    Result<void> setReflection(const ReflectionMaps* maps, ReflectionSource source = {});
 
-    /// Free to change from frame to frame. New counts of lights, another kind of ambient light, and any other
-    /// look need other programs, which the next frame or prepare() makes.
+    /// May change from frame to frame. Other counts of lights, another kind of ambient light and any other
+    /// look need other programs, which the next frame or prepare() compiles. Of more than four suns or
+    /// punctual lights, four are used: see fittedLighting(). Lights with numbers that are not finite, or
+    /// negative where they may not be, are refused: the last good ones stay, and draw() and prepare() fail
+    /// with "renderer.lighting".
     void setLighting(const Lighting& lighting);
     void setLook(const Look& look);
 
-    /// Makes programs from other snippets from now on, all of them anew: for people who write snippets. Who
-    /// would rather keep what works tries them in a ProgramCache of his own first.
+    /// Recompiles all programs from these snippets (for snippet authors). To keep working programs on an
+    /// error, try the snippets in a separate ProgramCache first.
     void setSnippets(const SnippetSet& snippets);
 
-    /// Makes the programs that the next frame needs. The driver may still compile them again for the target's
-    /// format: see warmUp(). Fails as ProgramSupply::get() does; what has a program is drawn all the same.
+    /// Compiles the programs that the next frame needs. The driver may still compile them again for the
+    /// target's format: see warmUp(). Fails as ProgramManager::get() does; materials that have a program are
+    /// drawn all the same.
     Result<void> prepare();
 
-    /// Makes and draws with all these programs, so that frames that need no others compile nothing, neither
-    /// in this library nor in the driver. usesOf() lists what scenes need in a certain light, readManifest()
-    /// what was needed in an earlier run. To be called once for each kind of target (its format, depth buffer
+    /// Compiles and draws with all these programs, so that frames that need no others compile nothing,
+    /// neither in this library nor in the driver. usesOf() lists the needs of a scene in a certain light,
+    /// readManifest() those of an earlier run. Call it once for each kind of target (its format, depth buffer
     /// and samples count, its size does not), before the first frame: the target's contents are undefined
-    /// afterwards. Fails with "renderer.context-lost" alone: what the driver refuses falls down the ladder.
+    /// afterwards. Fails with "renderer.target"; a program that the driver refuses is replaced by the next
+    /// simpler one.
     Result<WarmUpReport> warmUp(const DrawTarget& target, std::span<const ProgramUse> uses,
                                 const WarmUpProgress& progress = {});
 
-    /// How many programs a frame may make; beyond, simpler ones stand in until later frames. For those who
-    /// stream scenes; unlimited unless set.
+    /// How many programs a frame may compile; beyond, simpler ones stand in until later frames. For
+    /// applications that stream scenes; unlimited at first.
     void setCompileBudget(unsigned programsPerFrame);
 
-    /// What had to be compiled outside warmUp() since the last call: for the manifest of the next start.
+    /// The programs that were compiled outside warmUp() since the last call: for the manifest of the next
+    /// start.
     std::vector<ProgramUse> takeMisses();
 
-    /// Which programs gave way to simpler ones, in the order in which it happened, and why.
-    const std::vector<LadderStep>& ladderSteps() const;
+    /// The programs that were replaced by simpler ones, in the order in which they were, and why.
+    const std::vector<Fallback>& fallbacks() const;
 
-    /// Fails as prepare() does, once for each set of programs, after it drew what has a program; and with
-    /// "renderer.context-lost" between contextLost() and restore().
+    /// Clears the target and draws. Fails without drawing: with "renderer.target" for a size below 1, bits
+    /// that are not 1 to 16, or a background that is not finite; with "renderer.viewpoint" for numbers that
+    /// are not finite. Fails as prepare() does, once for each set of programs, after it drew all materials
+    /// that have a program.
     Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
 
-    /// Uploads a picture for overlays. Fails as add() does. Without a source it is never given up, and is
-    /// lost with the context.
+    /// Uploads a picture for overlays. Fails as an upload, and with "renderer.image" where its size and its
+    /// bytes differ. Without a source it is never evicted, and is lost with the context.
     Result<PictureId> addPicture(const Image& picture, PictureSource source = {});
     void removePicture(PictureId picture);
 
-    /// Draws rectangles in their order on top of what the target shows; what lies outside is cut off. Reads
-    /// pictures again that were given up. Fails without drawing: with "renderer.picture" for an unknown or
-    /// lost picture, as a source does, with "memory.budget" where the pictures drawn since the last draw() do
-    /// not fit, and as prepare() does.
+    /// Draws rectangles in their order on top of the target's picture, clipped to it. Loads evicted pictures
+    /// again. Fails without drawing: with "renderer.picture" for an unknown or lost picture, with
+    /// "renderer.overlay" for numbers that are not finite, with "renderer.target", as a source does, as an
+    /// upload where the pictures drawn since the last draw() do not fit, and as prepare() does.
     Result<void> drawOverlay(std::span<const OverlayQuad> quads, const DrawTarget& target);
 
-    /// Someone else changed GL's state since the last call: to be said once, before the next one. Bindings of
-    /// framebuffers and the viewport need not be told of.
+    /// Tells the renderer that GL's state was changed by others. Call it once, before the next other call.
+    /// Bindings of framebuffers and the viewport may change untold.
     void invalidateState();
 
-    /// The context and all that was in it are gone. Makes no GL call, and needs no context. Shown models, the
-    /// sky, lighting and look are remembered.
+    /// The context and all objects in it are gone. Makes no GL call, and needs no context. The renderer
+    /// remembers which models are shown, the skybox, the reflection, lighting and look.
     void contextLost();
 
-    /// Rebuilds all models that are shown and the sky in a new context, which is current, from their sources;
-    /// other models and pictures come back when they are shown and drawn. Where something cannot be rebuilt,
-    /// the rest is, and the first error is returned.
-    /// Without contextLost() before, the old context counts as lost.
+    /// Rebuilds all models that are shown, the skybox and the reflection in a new context, which is current,
+    /// from their sources; other models and pictures are loaded when they are shown and drawn. Where
+    /// something cannot be rebuilt, the rest is, and the first error is returned. Without contextLost()
+    /// before, the old context counts as lost.
     Result<void> restore(const Gl& gl);
     Result<void> restore(const Gl& gl, const Capabilities& capabilities);
 

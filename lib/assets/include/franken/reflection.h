@@ -65,8 +65,8 @@ inline constexpr int kLookupHeight = 256;
 /// irradiance in that light. The direction to look into is bent towards N by specularBend() (pack.h).
 Image specularLookup();
 
-/// Both textures: what Renderer::setMirror() takes.
-struct SkyMirror {
+/// Both textures: what Renderer::setReflection() takes.
+struct ReflectionMaps {
     SpecularAtlas atlas;
     Image lookup;
 };

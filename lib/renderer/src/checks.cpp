@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "checks.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace franken {
+namespace {
+
+template<typename Values>
+bool areFinite(const Values& values) {
+    return std::all_of(std::begin(values), std::end(values), [](auto value) { return std::isfinite(value); });
+}
+
+template<typename Vector>
+bool isFinite(const Vector& vector) {
+    return areFinite(std::span(glm::value_ptr(vector), sizeof(vector) / sizeof(*glm::value_ptr(vector))));
+}
+
+bool isLight(const Float3& color) {
+    return areFinite(color) &&
+           std::all_of(color.begin(), color.end(), [](float value) { return value >= 0; });
+}
+
+bool isAmount(float value) { return std::isfinite(value) && value >= 0; }
+
+bool isDirection(const Float3& vector) {
+    return areFinite(vector) && std::hypot(vector[0], vector[1], vector[2]) > 0;
+}
+
+/// The first rule that does not hold, as an error.
+struct Rule {
+    bool holds;
+    const char* where;
+    const char* what;
+};
+
+/// An element of an array; its text is made for an error alone, because frames are checked, too.
+struct Element {
+    const char* array;
+    std::size_t index;
+    std::string text() const { return std::string(array) + "[" + std::to_string(index) + "]"; }
+};
+
+Result<void> checkRules(const char* code, std::optional<Element> element, std::initializer_list<Rule> rules) {
+    for (const Rule& rule : rules)
+        if (!rule.holds)
+            return Error{code, (element ? element->text() : "") + rule.where, rule.what,
+                         "nothing was changed or drawn: pass another value"};
+    return {};
+}
+
+constexpr const char* kAmount = "it must be finite, and 0 or more";
+
+Result<void> check(const Sun& sun, const Element& name) {
+    return checkRules("renderer.lighting", name,
+                      {{isDirection(sun.direction), ".direction", "it must be finite, and not 0"},
+                       {isLight(sun.color), ".color", kAmount},
+                       {isAmount(sun.illuminance), ".illuminance", kAmount}});
+}
+
+Result<void> check(const PunctualLight& light, const Element& name) {
+    return checkRules(
+        "renderer.lighting", name,
+        {{areFinite(light.position), ".position", "it must be finite"},
+         {isDirection(light.direction) || !light.spot, ".direction", "it must be finite, and not 0"},
+         {isLight(light.color), ".color", kAmount},
+         {isAmount(light.intensity), ".intensity", kAmount},
+         {isAmount(light.range), ".range", kAmount},
+         {isAmount(light.innerCone) || !light.spot, ".innerCone", kAmount},
+         {isAmount(light.outerCone) || !light.spot, ".outerCone", kAmount}});
+}
+
+} // namespace
+
+Result<void> check(const Lighting& lighting) {
+    for (std::size_t i = 0; i < lighting.suns.size(); ++i)
+        if (Result<void> checked = check(lighting.suns[i], {"suns", i}); !checked)
+            return checked;
+    for (std::size_t i = 0; i < lighting.punctualLights.size(); ++i)
+        if (Result<void> checked = check(lighting.punctualLights[i], {"punctualLights", i}); !checked)
+            return checked;
+    const bool skyIsFinite = std::all_of(lighting.sky.begin(), lighting.sky.end(),
+                                         [](const auto& coefficient) { return areFinite(coefficient); });
+    return checkRules("renderer.lighting", {},
+                      {{isLight(lighting.ambientColor), "ambientColor", kAmount},
+                       {skyIsFinite, "sky", "its coefficients must be finite"},
+                       {std::isfinite(lighting.exposure) && lighting.exposure >= 0, "exposure", kAmount}});
+}
+
+Result<void> check(const Viewpoint& viewpoint) {
+    constexpr const char* kFinite = "its numbers must be finite";
+    return checkRules("renderer.viewpoint", {},
+                      {{isFinite(viewpoint.viewProjection), "viewProjection", kFinite},
+                       {isFinite(viewpoint.eye), "eye", kFinite},
+                       {isFinite(viewpoint.forward), "forward", kFinite},
+                       {isFinite(viewpoint.clipToSky), "clipToSky", kFinite}});
+}
+
+Result<void> check(const DrawTarget& target) {
+    const auto isChannel = [](int bits) { return bits >= 1 && bits <= 16; };
+    return checkRules("renderer.target", {},
+                      {{target.width > 0 && target.height > 0, "width, height", "they must be 1 or more"},
+                       {areFinite(target.background), "background", "it must be finite"},
+                       {std::all_of(target.bits.begin(), target.bits.end(), isChannel), "bits",
+                        "each channel must have 1 to 16"}});
+}
+
+Result<void> check(std::span<const OverlayQuad> quads) {
+    const auto isFiniteRect = [](const OverlayRect& rect) {
+        return areFinite(std::array{rect.x, rect.y, rect.width, rect.height});
+    };
+    for (std::size_t i = 0; i < quads.size(); ++i)
+        if (Result<void> checked =
+                checkRules("renderer.overlay", Element{"quads", i},
+                           {{isFiniteRect(quads[i].place), ".place", "its numbers must be finite"},
+                            {isFiniteRect(quads[i].part), ".part", "its numbers must be finite"},
+                            {areFinite(quads[i].color), ".color", "its numbers must be finite"}});
+            !checked)
+            return checked;
+    return {};
+}
+
+Result<void> check(const Image& image) {
+    const bool hasSize = image.width > 0 && image.height > 0;
+    const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (hasSize && image.rgba.size() / 4 == pixels && image.rgba.size() % 4 == 0)
+        return {};
+    return Error{"renderer.image", image.name,
+                 hasSize
+                     ? "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                           " has " + std::to_string(image.rgba.size()) + " bytes, and not four for each pixel"
+                     : "an image has no pixels",
+                 "fill in width, height, and width * height * 4 bytes"};
+}
+
+Result<void> checkRange(float range) {
+    return checkRules("renderer.sky", {}, {{isAmount(range), "range", kAmount}});
+}
+
+} // namespace franken

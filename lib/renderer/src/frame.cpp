@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: MIT
+#include "frame.h"
+
+#include "object_block.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace franken {
+namespace {
+
+/// Whether one light may follow the other without other programs and other material blocks.
+bool sameShape(const Lighting& a, const Lighting& b) {
+    const auto spots = [](const Lighting& lighting) {
+        return std::any_of(lighting.punctualLights.begin(), lighting.punctualLights.end(),
+                           [](const PunctualLight& light) { return light.spot; });
+    };
+    return a.suns.size() == b.suns.size() && a.punctualLights.size() == b.punctualLights.size() &&
+           spots(a) == spots(b) && a.ambient == b.ambient && a.reflection == b.reflection &&
+           a.exposure == b.exposure;
+}
+
+} // namespace
+
+void Frame::setLighting(const Lighting& lighting) {
+    m_resolved = m_resolved && sameShape(m_lighting, lighting);
+    m_lighting = lighting;
+}
+
+void Frame::setLook(const Look& look) {
+    m_look = look;
+    m_resolved = false;
+}
+
+Result<void> Frame::resolvePrograms(const DrawTarget* target) {
+    if (m_modelRevision != m_content.models.revision()) {
+        m_list.rebuild(m_content.models.shown());
+        m_modelRevision = m_content.models.revision();
+        m_resolved = false;
+    }
+    if (m_resolved)
+        return {};
+    FirstError first;
+    m_device.state.invalidate(); // Compiling a program uses it.
+    m_resolved = true;
+    for (Model* model : m_content.models.shown())
+        for (GpuMaterial& material : model->gpu->materials)
+            first.add(resolveMaterial(material, target));
+    if (m_content.skybox.isShown())
+        first.add(resolveSkybox(target));
+    m_list.sort();
+    return first.take();
+}
+
+Result<ProgramHandle> Frame::resolve(const Result<Permutation>& permutation, const DrawState& state,
+                                     const DrawTarget* target) {
+    if (!permutation)
+        return permutation.error();
+    const Result<ProgramManager::Supplied> supplied = m_programs.get({*permutation, state}, target);
+    if (!supplied)
+        return supplied.error();
+    m_resolved = m_resolved && !supplied->standIn;
+    return supplied->program;
+}
+
+Result<void> Frame::resolveMaterial(GpuMaterial& material, const DrawTarget* target) {
+    material.program = nullptr;
+    const Result<ProgramHandle> program =
+        resolve(permutationOf(material.plan, m_lighting, m_look), material.state, target);
+    if (!program)
+        return program.error();
+    material.program = *program;
+    material.block.edit() = packMaterial(material.plan.factors, m_look.brdf, m_lighting.exposure);
+    return {};
+}
+
+Result<void> Frame::resolveSkybox(const DrawTarget* target) {
+    m_skyboxProgram = nullptr;
+    const Result<ProgramHandle> program = resolve(skyPermutation(m_look), {}, target);
+    if (!program)
+        return program.error();
+    m_skyboxProgram = *program;
+    return {};
+}
+
+void Frame::updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target) {
+    FrameBlock values{};
+    values.cameraPosition = {0, 0, 0}; // Because objects are placed as seen from it.
+    roundTo(values.clipToSky, viewpoint.clipToSky);
+    values.skyRange = m_content.skybox.range() * m_lighting.exposure;
+    values.reflectionScale = std::sqrt(m_content.reflection.range() * m_lighting.exposure);
+    values.dither = packDither(target.bits);
+    m_frame.set(values);
+    m_lights.set(packLighting(m_lighting, viewpoint.eye));
+}
+
+void Frame::begin(const DrawTarget& target) {
+    GlState& state = m_device.state;
+    m_device.gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    m_device.gl.Viewport(0, 0, target.width, target.height);
+    state.setBaseline();
+    state.setBlending(false);
+    state.setDepthTest(true);
+    state.setDepthWrites(true);
+    state.setDepthRange(0, 1);
+    m_content.reflection.bind(state);
+    state.setClearColor(target.background);
+    m_device.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    m_boundMaterial = nullptr;
+}
+
+void Frame::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
+    updateBlocks(viewpoint, target);
+    m_list.place(viewpoint);
+    m_counters = {.drawn = m_list.visible(), .culled = m_list.size() - m_list.visible()};
+    begin(target);
+    drawOpaque();
+    drawSkybox();
+    drawBlended();
+}
+
+void Frame::use(ShaderProgram& program, const BlockViews& blocks) {
+    m_programs.prepareDraw(m_device.state, program);
+    m_device.state.useProgram(program.name());
+    program.feed(blocks);
+    m_device.state.enableArrays(program.attributes());
+}
+
+void Frame::bind(const GpuMaterial& material) {
+    use(*material.program, {m_frame.view(), m_lights.view(), material.block.view(), {}});
+    for (const Sampler& sampler : material.program->interface().samplers)
+        if (const auto unit = static_cast<std::size_t>(sampler.unit); unit < kMaterialUnits)
+            m_device.state.bindTexture(static_cast<unsigned>(unit), GL_TEXTURE_2D, material.textures[unit]);
+    m_boundMaterial = &material;
+}
+
+void Frame::drawOne(const Object& object) {
+    const GpuMaterial& material = *object.material;
+    if (m_boundMaterial != &material)
+        bind(material);
+    ShaderProgram& program = *material.program;
+    program.feed(Block::Object, {reinterpret_cast<const float*>(&object.block), object.serial});
+    m_device.state.setCulling(!object.doubleSided || material.state.blend);
+    m_device.state.setFrontFace(object.mirrored ? GL_CW : GL_CCW);
+    object.mesh->draw(m_device.gl, m_device.state, program.attributes(), material.plan.uvSets);
+}
+
+// Through a transparent surface its other side is seen, which therefore comes first.
+void Frame::drawSides(const Object& object) {
+    if (!object.doubleSided)
+        return drawOne(object);
+    for (const GLenum culled : {GL_FRONT, GL_BACK}) {
+        m_device.state.setCulledFace(culled);
+        drawOne(object);
+    }
+}
+
+void Frame::drawOpaque() {
+    for (const Object& object : m_list.opaque())
+        if (object.visible)
+            drawOne(object);
+}
+
+void Frame::drawSkybox() {
+    if (!m_content.skybox.isShown() || !m_skyboxProgram)
+        return;
+    use(*m_skyboxProgram, {m_frame.view(), m_lights.view(), {}, {}});
+    m_content.skybox.draw(m_device.state);
+}
+
+void Frame::drawBlended() {
+    if (m_list.backToFront().empty())
+        return;
+    m_device.state.setBlending(true);
+    m_device.state.setDepthWrites(false);
+    m_boundMaterial = nullptr; // The skybox's program may be in use.
+    for (const Object* object : m_list.backToFront())
+        drawSides(*object);
+}
+
+void Frame::lost() {
+    m_list.clear();
+    m_skyboxProgram.reset();
+    m_resolved = false;
+    m_counters = {};
+}
+
+} // namespace franken

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "draw_list.h"
+#include "franken/program_manager.h"
+#include "reflection_textures.h"
+#include "skybox.h"
+
+namespace franken {
+
+/// Lighting and look, the programs that they ask for, and the draws of a frame.
+class Frame final : public GlOwner {
+public:
+    struct Content {
+        Models& models;
+        Skybox& skybox;
+        ReflectionTextures& reflection;
+    };
+    Frame(Device& device, ProgramManager& programs, const Content& content)
+        : m_device(device), m_programs(programs), m_content(content) {}
+
+    void setLighting(const Lighting& lighting);
+    void setLook(const Look& look);
+    const Look& look() const { return m_look; }
+    /// The skybox or the snippets have changed.
+    void forgetPrograms() { m_resolved = false; }
+
+    /// Finds the program of each material and of the skybox. Goes on after an error: materials that have a
+    /// program are drawn. Returns the first error.
+    Result<void> resolvePrograms(const DrawTarget* target);
+
+    /// With resolved programs.
+    void draw(const Viewpoint& viewpoint, const DrawTarget& target);
+
+    FrameCounters counters() const { return m_counters; }
+
+    void lost() override;
+    Result<void> restore() override { return {}; }
+
+private:
+    Result<ProgramHandle> resolve(const Result<Permutation>& permutation, const DrawState& state,
+                                  const DrawTarget* target);
+    Result<void> resolveMaterial(GpuMaterial& material, const DrawTarget* target);
+    Result<void> resolveSkybox(const DrawTarget* target);
+
+    void updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target);
+    void begin(const DrawTarget& target);
+    void use(ShaderProgram& program, const BlockViews& blocks);
+    void bind(const GpuMaterial& material);
+    void drawOne(const Object& object);
+    void drawSides(const Object& object);
+    void drawOpaque();
+    void drawSkybox();
+    void drawBlended();
+
+    Device& m_device;
+    ProgramManager& m_programs;
+    Content m_content;
+
+    Lighting m_lighting;
+    Look m_look;
+    bool m_resolved = false;      ///< No program is missing, and none stands in for another.
+    unsigned m_modelRevision = 0; ///< That the list was built for.
+    DrawList m_list;
+    ProgramHandle m_skyboxProgram;
+    UniformBlock<FrameBlock> m_frame;
+    UniformBlock<LightsBlock> m_lights;
+    const GpuMaterial* m_boundMaterial = nullptr; ///< Whose program and textures are bound; null: unknown.
+    FrameCounters m_counters;
+};
+
+} // namespace franken

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "models.h"
+
+#include "checked_upload.h"
+#include "franken/guard.h"
+#include "handle.h"
+
+#include <algorithm>
+
+namespace franken {
+namespace {
+
+Error unknownModel() {
+    return {"renderer.model", "", "there is no such model", "use what add() returned, until remove()"};
+}
+
+bool contains(const std::vector<Model*>& list, const Model& model) {
+    return std::find(list.begin(), list.end(), &model) != list.end();
+}
+
+} // namespace
+
+Models::Models(Device& device) : m_device(device), m_defaults(device.gl) {}
+
+Model* Models::find(ModelId id) const {
+    const auto found = std::find_if(m_models.begin(), m_models.end(),
+                                    [&](const std::unique_ptr<Model>& model) { return model->id == id; });
+    return found == m_models.end() ? nullptr : found->get();
+}
+
+bool Models::isNeeded(const Model& model) const {
+    return contains(m_shown, model) || contains(m_wanted, model);
+}
+
+Result<void> Models::upload(Model& model, const Scene& scene) {
+    Result<GpuScene> gpu =
+        checkedUpload(m_device, [&] { return franken::upload(m_device, scene, *m_defaults); });
+    if (!gpu)
+        return gpu.error();
+    model.gpu = *std::move(gpu);
+    return {};
+}
+
+Result<void> Models::makeResident(Model& model) {
+    if (model.gpu)
+        return {};
+    if (!model.source)
+        return Error{"renderer.no-source", "", "the context of a model was lost, and it has no source",
+                     "hand add() a source that reads the model again"};
+    const Result<Scene> scene = guarded("the source of a model", model.source);
+    return scene ? upload(model, *scene) : scene.error();
+}
+
+Result<void> Models::makeResident(std::span<Model* const> models) {
+    for (Model* model : models)
+        if (Result<void> made = makeResident(*model); !made)
+            return made;
+    return {};
+}
+
+const Model* Models::oldest() const {
+    const Model* oldest = nullptr;
+    for (const std::unique_ptr<Model>& model : m_models)
+        if (model->gpu && model->source && !isNeeded(*model) &&
+            (oldest == nullptr || model->lastShown < oldest->lastShown))
+            oldest = model.get();
+    return oldest;
+}
+
+std::optional<std::uint64_t> Models::oldestUse() const {
+    const Model* const model = oldest();
+    return model == nullptr ? std::nullopt : std::optional(model->lastShown);
+}
+
+void Models::evictOldest() {
+    if (const Model* const model = oldest())
+        find(model->id)->gpu.reset();
+}
+
+void Models::setShown(std::vector<Model*> models) {
+    ++m_device.clock;
+    for (Model* model : m_shown)
+        model->lastShown = m_device.clock;
+    m_shown = std::move(models);
+    for (Model* model : m_shown)
+        model->lastShown = m_device.clock;
+    m_wanted.clear();
+    ++m_revision;
+}
+
+Result<ModelId> Models::add(const Scene& scene, SceneSource source) {
+    auto model = std::make_unique<Model>(Model{newHandle<ModelId>(), std::move(source)});
+    if (Result<void> uploaded = upload(*model, scene); !uploaded)
+        return uploaded.error();
+    model->lastShown = m_device.clock;
+    m_models.push_back(std::move(model));
+    return m_models.back()->id;
+}
+
+Result<void> Models::show(std::span<const ModelId> ids) {
+    std::vector<Model*> list;
+    for (const ModelId id : ids) {
+        Model* const model = find(id);
+        if (model == nullptr)
+            return unknownModel();
+        if (!contains(list, *model))
+            list.push_back(model);
+    }
+    std::vector<Model*> before = m_shown;
+    m_wanted = list;
+    Result<void> made = makeResident(list);
+    if (!made && (made.error().code == "memory.budget" || made.error().code == "renderer.memory")) {
+        setShown({}); // What was shown may be evicted now.
+        m_wanted = list;
+        made = makeResident(list);
+    }
+    if (!made)
+        list = std::move(before);
+    std::erase_if(list, [](const Model* model) { return !model->gpu; });
+    setShown(std::move(list));
+    return made;
+}
+
+void Models::remove(ModelId id) {
+    Model* const model = find(id);
+    if (model == nullptr)
+        return;
+    if (contains(m_shown, *model)) {
+        std::erase(m_shown, model);
+        setShown(std::move(m_shown));
+    }
+    std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() == model; });
+    m_device.state.invalidate();
+}
+
+Result<void> Models::load(const Scene& scene, SceneSource source) {
+    Result<ModelId> added = add(scene, source);
+    if (!added && added.error().code == "memory.budget") {
+        setShown({});
+        m_models.clear();
+        added = add(scene, std::move(source));
+    }
+    if (!added)
+        return added.error();
+    Model* const model = find(*added);
+    setShown({model});
+    std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() != model; });
+    m_device.state.invalidate();
+    return {};
+}
+
+void Models::lost() {
+    for (const std::unique_ptr<Model>& model : m_models)
+        model->gpu.reset();
+    m_defaults.reset();
+    ++m_revision;
+}
+
+Result<void> Models::restore() {
+    m_defaults.emplace(m_device.gl);
+    FirstError first;
+    std::vector<Model*> list = m_shown;
+    for (Model* model : list)
+        first.add(makeResident(*model));
+    std::erase_if(list, [](const Model* model) { return !model->gpu; });
+    setShown(std::move(list));
+    return first.take();
+}
+
+} // namespace franken
