@@ -11,8 +11,8 @@ constexpr PiModel kV3d42Models[] = {{"Pi 4", 500}};
 constexpr PiModel kV3d71Models[] = {{"Pi 5", 960}};
 
 constexpr Gpu kGpus[] = {{"vc4", "VideoCore IV: Raspberry Pi 0 to 3", Target::Vc4, 12, kVc4Models},
-                         {"v3d42", "VideoCore VI: Raspberry Pi 4", Target::V3d, 8, kV3d42Models},
-                         {"v3d71", "VideoCore VII: Raspberry Pi 5", Target::V3d, 16, kV3d71Models}};
+                         {"v3d42", "VideoCore VI: Raspberry Pi 4", Target::Generic, 8, kV3d42Models},
+                         {"v3d71", "VideoCore VII: Raspberry Pi 5", Target::Generic, 16, kV3d71Models}};
 
 constexpr int kLanes = 4;
 

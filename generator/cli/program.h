@@ -17,12 +17,6 @@ struct Program {
     Composed composed;
 };
 
-/// "0x1000000000000004"
-std::string toHex(Key key);
-
-/// The permutation of a key as toHex() writes it. Fails as fromKey() does.
-Result<Permutation> permutationOf(std::string_view hex);
-
 /// A text's lines, without their ends. They are views of the text.
 std::vector<std::string_view> linesOf(std::string_view text);
 std::vector<std::string_view> linesOf(std::string&& text) = delete;

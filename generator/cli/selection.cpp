@@ -15,6 +15,13 @@
 namespace franken::cli {
 namespace {
 
+Result<Permutation> permutationOfKey(std::string_view hex) {
+    const Result<Key> key = parseHex(hex);
+    if (!key)
+        return key.error();
+    return fromKey(*key);
+}
+
 using Permutations = std::vector<Permutation>;
 
 // Words separated by '+', '.', ',' or space; '!' before a word forbids it.
@@ -136,7 +143,7 @@ private:
 Result<Canonical> readName(std::string_view name) {
     // Escaped first: the error quotes it above a row of carets.
     const Result<Permutation> named =
-        name.starts_with("0x") ? permutationOf(name) : parseName(printable(name));
+        name.starts_with("0x") ? permutationOfKey(name) : parseName(printable(name));
     return named ? canonicalise(*named) : Result<Canonical>(named.error());
 }
 

@@ -163,9 +163,8 @@ Permutation fragmentChoices(const Permutation& permutation) {
 Key stageKey(const Permutation& permutation, Stage stage) {
     if (stage == Stage::Fragment)
         return toKey(fragmentChoices(permutation));
-    constexpr unsigned kSunsShift = 56;
     const Outline vertex = outline(permutation, Stage::Vertex);
-    return Key{vertex.rows.to_ullong()} | Key{vertex.suns} << kSunsShift;
+    return {{vertex.rows.to_ullong(), vertex.suns}};
 }
 
 } // namespace franken

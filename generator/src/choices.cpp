@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/choices.h"
 
+#include <algorithm>
 #include <array>
 
 namespace franken {
@@ -95,50 +96,73 @@ constexpr Option kView[] = {{"shaded", "the picture"},
                             {"view-normal", "the normal, 0.5 + 0.5 n"},
                             {"view-metalrough", "G roughness, B metalness"},
                             {"view-occlusion", "the occlusion"}};
-constexpr Option kTarget[] = {{"generic", "any GPU"},
-                              {"vc4", "forms that VideoCore IV runs best (Pi 0-3)"},
-                              {"v3d", "forms that VideoCore VI and VII run best (Pi 4, 5)"}};
+constexpr Option kTarget[] = {{"generic", "any GPU"}, {"vc4", "forms that VideoCore IV runs best (Pi 0-3)"}};
 constexpr Option kFacing[] = {{"frontfacing", "gl_FrontFacing is trusted"},
                               {"workaround-facing", "back faces are found by N.V"}};
 
-// Order of names. Shifts are part of the schema: append, never renumber.
+constexpr bool staysInOneWord(const Choice& choice) {
+    return choice.shift / 64 == (choice.shift + choice.bits - 1) / 64;
+}
+
+// Order of names. Shifts are part of the schema: append, never renumber. Material choices are in the first 64
+// bits.
 constexpr std::array kChoices = {
     choice<&Permutation::program>("program", false, 0, 2, kProgram),
     choice<&Permutation::baseColorTexture>("baseColorTexture", true, 2, 1, kBaseColor),
     choice<&Permutation::vertexColor>("vertexColor", true, 3, 1, kVertexColor),
     choice<&Permutation::metallicRoughness>("metallicRoughness", true, 4, 2, kMetallicRoughness),
-    choice<&Permutation::normal>("normal", true, 6, 1, kNormal),
-    choice<&Permutation::occlusion>("occlusion", true, 7, 2, kOcclusion),
-    choice<&Permutation::emissive>("emissive", true, 9, 2, kEmissive),
-    choice<&Permutation::alpha>("alpha", true, 11, 2, kAlpha),
-    choice<&Permutation::sides>("sides", true, 13, 1, kSides),
-    choice<&Permutation::baseColorUv>("baseColorUv", true, 14, 1, kBaseColorUv),
-    choice<&Permutation::metallicRoughnessUv>("metallicRoughnessUv", true, 15, 1, kMetallicRoughnessUv),
-    choice<&Permutation::normalUv>("normalUv", true, 16, 1, kNormalUv),
-    choice<&Permutation::occlusionUv>("occlusionUv", true, 17, 1, kOcclusionUv),
-    choice<&Permutation::emissiveUv>("emissiveUv", true, 18, 1, kEmissiveUv),
-    choice<&Permutation::uv0Transform>("uv0Transform", true, 19, 1, kUv0Transform),
-    choice<&Permutation::uv1Transform>("uv1Transform", true, 20, 1, kUv1Transform),
-    choice<&Permutation::shading>("shading", true, 21, 1, kShading),
-    choice<&Permutation::ambient>("ambient", false, 22, 2, kAmbient),
-    choice<&Permutation::reflection>("reflection", false, 53, 2, kReflection),
-    choice<&Permutation::suns>("suns", false, 24, 3, kSuns),
-    choice<&Permutation::punctualLights>("punctualLights", false, 27, 3, kPunctualLights),
-    choice<&Permutation::spots>("spots", false, 30, 1, kSpots),
-    choice<&Permutation::lightVectors>("lightVectors", false, 31, 1, kLightVectors),
-    choice<&Permutation::brdf>("brdf", false, 32, 2, kBrdf),
-    choice<&Permutation::decode>("decode", false, 34, 2, kDecode),
-    choice<&Permutation::toneMap>("toneMap", false, 36, 2, kToneMap),
-    choice<&Permutation::output>("output", false, 38, 2, kOutput),
-    choice<&Permutation::dither>("dither", false, 40, 1, kDither),
-    choice<&Permutation::view>("view", false, 41, 3, kView),
-    choice<&Permutation::target>("target", false, 44, 2, kTarget),
-    choice<&Permutation::facingWorkaround>("facingWorkaround", false, 46, 1, kFacing),
+    choice<&Permutation::normal>("normal", true, 6, 2, kNormal),
+    choice<&Permutation::occlusion>("occlusion", true, 8, 2, kOcclusion),
+    choice<&Permutation::emissive>("emissive", true, 10, 2, kEmissive),
+    choice<&Permutation::alpha>("alpha", true, 12, 3, kAlpha),
+    choice<&Permutation::sides>("sides", true, 15, 1, kSides),
+    choice<&Permutation::baseColorUv>("baseColorUv", true, 16, 1, kBaseColorUv),
+    choice<&Permutation::metallicRoughnessUv>("metallicRoughnessUv", true, 17, 1, kMetallicRoughnessUv),
+    choice<&Permutation::normalUv>("normalUv", true, 18, 1, kNormalUv),
+    choice<&Permutation::occlusionUv>("occlusionUv", true, 19, 1, kOcclusionUv),
+    choice<&Permutation::emissiveUv>("emissiveUv", true, 20, 1, kEmissiveUv),
+    choice<&Permutation::uv0Transform>("uv0Transform", true, 21, 1, kUv0Transform),
+    choice<&Permutation::uv1Transform>("uv1Transform", true, 22, 1, kUv1Transform),
+    choice<&Permutation::shading>("shading", true, 23, 1, kShading),
+    choice<&Permutation::ambient>("ambient", false, 64, 3, kAmbient),
+    choice<&Permutation::reflection>("reflection", false, 67, 3, kReflection),
+    choice<&Permutation::suns>("suns", false, 70, 3, kSuns),
+    choice<&Permutation::punctualLights>("punctualLights", false, 73, 3, kPunctualLights),
+    choice<&Permutation::spots>("spots", false, 76, 1, kSpots),
+    choice<&Permutation::lightVectors>("lightVectors", false, 77, 2, kLightVectors),
+    choice<&Permutation::brdf>("brdf", false, 79, 4, kBrdf),
+    choice<&Permutation::decode>("decode", false, 83, 3, kDecode),
+    choice<&Permutation::toneMap>("toneMap", false, 86, 4, kToneMap),
+    choice<&Permutation::output>("output", false, 90, 4, kOutput),
+    choice<&Permutation::dither>("dither", false, 94, 2, kDither),
+    choice<&Permutation::view>("view", false, 24, 4, kView),
+    choice<&Permutation::target>("target", false, 96, 3, kTarget),
+    choice<&Permutation::facingWorkaround>("facingWorkaround", false, 99, 1, kFacing),
 };
+static_assert(std::all_of(kChoices.begin(), kChoices.end(), staysInOneWord));
 
+// Beside them stand values to come of choices that are there: a second form of the reflection, premultiplied
+// blending (alpha), more tone maps, BRDFs and encodings.
 constexpr ReservedBits kReserved[] = {
-    {"driver workarounds", 47, 3}, {"skinning", 50, 1}, {"morphs", 51, 1},
-    {"sun shadows", 52, 1},        {"spare", 55, 5},
+    {"clear coat and its three textures", 28, 4},
+    {"clear coat's streams", 32, 3},
+    {"specular and its textures", 35, 3},
+    {"specular's streams", 38, 2},
+    {"sheen or anisotropy, and their textures", 40, 4},
+    {"sheen's or anisotropy's streams", 44, 2},
+    {"vertices in object space", 46, 1},
+    {"skins", 47, 2},
+    {"morphs", 49, 1},
+    {"an effect of the application", 50, 6},
+    {"spare material bits", 56, 8},
+    {"driver workarounds", 100, 4},
+    {"shadows of four suns", 104, 4},
+    {"shadow filter", 108, 2},
+    {"energy compensation", 110, 1},
+    {"specular occlusion", 111, 1},
+    {"roughness from normals", 112, 1},
+    {"forms for 16-bit floats", 113, 1},
+    {"spare bits", 114, 6},
 };
 
 } // namespace

@@ -2,45 +2,74 @@
 #include "franken/generator/choices.h"
 
 #include <cassert>
+#include <charconv>
 
 namespace franken {
 namespace {
-
-constexpr unsigned kVersionShift = 60;
-
-constexpr Key mask(unsigned shift, unsigned bits) { return ((Key{1} << bits) - 1) << shift; }
 
 Error badKey(std::string what) {
     return {"permutation.key", "", std::move(what), "pass a key that toKey() of this version returned"};
 }
 
+constexpr std::size_t kDigits = 16; // Of one word.
+
+std::string_view lastDigits(std::string_view digits) {
+    return digits.substr(digits.size() - std::min(digits.size(), kDigits));
+}
+
+bool readWord(std::string_view digits, std::uint64_t& word) {
+    const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), word, 16);
+    return failed == std::errc() && end == digits.data() + digits.size();
+}
+
 } // namespace
 
 Key toKey(const Permutation& permutation) {
-    Key key = Key{kSchemaVersion} << kVersionShift;
+    Key key = keyBits(kSchemaVersion, kSchemaBits.shift);
     for (const Choice& choice : choices()) {
         const unsigned value = choice.get(permutation);
         assert(value < choice.options.size());
-        key |= Key{value} << choice.shift;
+        key.words[choice.shift / 64] |= std::uint64_t{value} << choice.shift % 64;
     }
     return key;
 }
 
-Result<Permutation> fromKey(Key key) {
-    if (const auto version = key >> kVersionShift; version != kSchemaVersion)
+Result<Permutation> fromKey(const Key& key) {
+    if (const auto version = valueOf(key, kSchemaBits.shift, kSchemaBits.bits); version != kSchemaVersion)
         return Error{"permutation.schema", "", "the key has schema version " + std::to_string(version),
                      "this library reads version " + std::to_string(kSchemaVersion) + "; name it anew"};
     for (const ReservedBits& reserved : reservedBits())
-        if (key & mask(reserved.shift, reserved.bits))
+        if (valueOf(key, reserved.shift, reserved.bits) != 0)
             return badKey("the bits reserved for " + std::string(reserved.name) + " are set");
     Permutation permutation;
     for (const Choice& choice : choices()) {
-        const auto value = static_cast<unsigned>((key & mask(choice.shift, choice.bits)) >> choice.shift);
+        const auto value = static_cast<unsigned>(valueOf(key, choice.shift, choice.bits));
         if (value >= choice.options.size())
             return badKey(std::string(choice.name) + " has no value " + std::to_string(value));
         choice.set(permutation, value);
     }
     return permutation;
+}
+
+std::string toHex(const Key& key) {
+    constexpr std::string_view kHex = "0123456789abcdef";
+    std::string text = "0x";
+    for (const std::uint64_t word : {key.words[1], key.words[0]})
+        for (int shift = 60; shift >= 0; shift -= 4)
+            text += kHex[word >> shift & 15U];
+    return text;
+}
+
+Result<Key> parseHex(std::string_view hex) {
+    const std::string_view digits = hex.substr(hex.starts_with("0x") ? 2 : 0);
+    const std::string_view low = lastDigits(digits);
+    const std::string_view high = digits.substr(0, digits.size() - low.size());
+    Key key;
+    if (high.size() > kDigits || !readWord(low, key.words[0]) ||
+        (!high.empty() && !readWord(high, key.words[1])))
+        return Error{"permutation.key", std::string(hex), "this is no key",
+                     "give one as 'frankenshader list --json' prints it"};
+    return key;
 }
 
 } // namespace franken

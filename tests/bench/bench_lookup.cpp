@@ -35,7 +35,7 @@ Programs& programs() {
     return all;
 }
 
-ProgramHandle find(const std::unordered_map<Key, ProgramHandle>& map, Key key) {
+ProgramHandle find(const std::unordered_map<Key, ProgramHandle>& map, const Key& key) {
     const auto found = map.find(key);
     return found == map.end() ? nullptr : found->second;
 }

@@ -71,26 +71,64 @@ TEST(Name, WordsAreUnique) {
             EXPECT_TRUE(words.insert(option.word).second) << option.word;
 }
 
+Key with(Key key, std::uint64_t value, unsigned shift) {
+    key.words[shift / 64] |= value << shift % 64;
+    return key;
+}
+
 TEST(Key, BitsDoNotOverlap) {
-    Key used = Key{0xF} << 60;
+    std::array<std::uint64_t, 2> used{};
     const auto take = [&](std::string_view name, unsigned shift, unsigned bits) {
-        const Key mask = ((Key{1} << bits) - 1) << shift;
-        EXPECT_EQ(used & mask, 0u) << name;
-        used |= mask;
+        const std::uint64_t mask = ((std::uint64_t{1} << bits) - 1) << shift % 64;
+        EXPECT_EQ(used[shift / 64] & mask, 0u) << name;
+        EXPECT_LE(shift % 64 + bits, 64u) << name << " lies over both words";
+        used[shift / 64] |= mask;
     };
+    take(kSchemaBits.name, kSchemaBits.shift, kSchemaBits.bits);
     for (const Choice& choice : choices()) {
         take(choice.name, choice.shift, choice.bits);
         EXPECT_LE(choice.options.size(), std::size_t{1} << choice.bits) << choice.name;
     }
     for (const ReservedBits& reserved : reservedBits())
         take(reserved.name, reserved.shift, reserved.bits);
-    EXPECT_EQ(used, ~Key{0}) << "every bit is a choice's, reserved or the version's";
+    for (const std::uint64_t word : used)
+        EXPECT_EQ(word, ~std::uint64_t{0}) << "every bit is a choice's, reserved or the version's";
+}
+
+TEST(Key, HasRoomForWhatIsComing) {
+    unsigned spare = 0;
+    for (const ReservedBits& reserved : reservedBits())
+        spare += reserved.name.starts_with("spare") ? reserved.bits : 0;
+    EXPECT_GE(spare, 12u);
+    for (const Choice& choice : choices())
+        if (const std::string_view name = choice.name; name == "toneMap" || name == "brdf" ||
+                                                       name == "output" || name == "reflection" ||
+                                                       name == "alpha") {
+            EXPECT_LT(choice.options.size(), std::size_t{1} << choice.bits) << name << " is full";
+        }
+}
+
+TEST(Key, ComesBackFromItsHex) {
+    for (const char* name :
+         {"surface", "basecolor+sun1", "sky+aces", "basecolor.normal+sh+reflection+sun4+vc4"}) {
+        const Key key = toKey(*parseName(name));
+        const std::string hex = toHex(key);
+        EXPECT_EQ(hex.size(), 34u);
+        const auto read = parseHex(hex);
+        ASSERT_TRUE(read) << hex;
+        EXPECT_EQ(*read, key) << hex;
+    }
+    for (const char* bad : {"", "0x", "0xg", "12 ", "0x-1", "0x100000000000000000000000000000000", "0x1x0"}) {
+        const auto read = parseHex(bad);
+        ASSERT_FALSE(read) << bad;
+        EXPECT_EQ(read.error().code, "permutation.key");
+    }
 }
 
 TEST(Key, RefusesReservedBits) {
     for (const ReservedBits& reserved : reservedBits())
         for (unsigned bit = 0; bit < reserved.bits; ++bit) {
-            const auto read = fromKey(toKey({}) | Key{1} << (reserved.shift + bit));
+            const auto read = fromKey(with(toKey({}), 1, reserved.shift + bit));
             ASSERT_FALSE(read) << reserved.name;
             EXPECT_EQ(read.error().code, "permutation.key");
             EXPECT_NE(read.error().what.find(reserved.name), std::string::npos) << read.error().what;
@@ -98,8 +136,10 @@ TEST(Key, RefusesReservedBits) {
 }
 
 TEST(Key, RefusesOtherSchemas) {
-    for (Key version = 0; version < 16; ++version) {
-        const auto read = fromKey((toKey({}) & ~(Key{0xF} << 60)) | version << 60);
+    for (unsigned version = 0; version < 1U << kSchemaBits.bits; ++version) {
+        Key key = toKey({});
+        key.words[1] ^= keyBits(version ^ kSchemaVersion, kSchemaBits.shift).words[1];
+        const auto read = fromKey(key);
         EXPECT_EQ(read.has_value(), version == kSchemaVersion);
         if (!read) {
             EXPECT_EQ(read.error().code, "permutation.schema");
@@ -109,8 +149,8 @@ TEST(Key, RefusesOtherSchemas) {
 
 TEST(Key, RefusesValuesThatMeanNothing) {
     for (const Choice& choice : choices())
-        for (Key value = choice.options.size(); value < Key{1} << choice.bits; ++value) {
-            const auto read = fromKey(toKey({}) | value << choice.shift);
+        for (std::uint64_t value = choice.options.size(); value < std::uint64_t{1} << choice.bits; ++value) {
+            const auto read = fromKey(with(toKey({}), value, choice.shift));
             ASSERT_FALSE(read) << choice.name << " " << value;
             EXPECT_EQ(read.error().code, "permutation.key");
         }

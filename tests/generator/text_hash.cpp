@@ -17,7 +17,7 @@ int main() {
     for (const franken::Permutation& permutation : set) {
         const franken::Composed program = franken::compose(permutation);
         add(franken::toName(permutation));
-        add(std::to_string(franken::toKey(permutation)));
+        add(franken::toHex(franken::toKey(permutation)));
         add(program.vertex.text);
         add(program.fragment.text);
     }

@@ -57,13 +57,13 @@ TEST_F(ManifestTest, WhatIsWrittenIsReadBack) {
 }
 
 TEST_F(ManifestTest, IsTextThatAPersonReads) {
-    EXPECT_EQ(toManifest(someUses()), "# FrankenShader manifest, schema 1\n"
+    EXPECT_EQ(toManifest(someUses()), "# FrankenShader manifest, schema 2\n"
                                       "basecolor.normal+sun1 wrap0=cm wrap7=rr\n"
                                       "blend+sun1\n"
                                       "surface\n"
                                       "sky+aces\n"
                                       "view-normal blend=on\n"
-                                      "# end 5 17b52a5f\n");
+                                      "# end 5 8c2f90b0\n");
 }
 
 TEST_F(ManifestTest, AnEmptyOneIsWhole) {
@@ -103,7 +103,7 @@ struct Refused {
 TEST_F(ManifestTest, SaysWhatIsWrong) {
     for (const auto& [text, code] :
          {Refused{"# FrankenShader manifest, schema 9\nsurface\n", "manifest.schema"},
-          {"# FrankenShader manifest, schema 1\nsurface\n", "manifest.damaged"},
+          {"# FrankenShader manifest, schema 2\nsurface\n", "manifest.damaged"},
           {"", "manifest.empty"},
           {"# nothing\n\n", "manifest.empty"},
           {"nromal\n", "manifest.line"},

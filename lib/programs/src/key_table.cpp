@@ -8,7 +8,7 @@
 
 namespace franken {
 
-void KeyTable::insert(Key key, std::uint32_t place) {
+void KeyTable::insert(const Key& key, std::uint32_t place) {
     assert(key != kNoKey && find(key) == kAbsent);
     if (2 * ++m_used > m_cells.size())
         reserve(2 * m_cells.size());

@@ -84,7 +84,7 @@ struct [[gnu::visibility("hidden")]] ProgramCache::State {
         options.log = guardedLog(std::move(options.log));
     }
 
-    Entry* entryOf(Key key) {
+    Entry* entryOf(const Key& key) {
         thread.check();
         const std::uint32_t place = table.find(key);
         return place == KeyTable::kAbsent ? nullptr : &entries[place];
@@ -137,7 +137,7 @@ bool ProgramCache::pending(const Permutation& permutation) const {
     return complete == GL_FALSE;
 }
 
-ProgramHandle ProgramCache::find(Key key) {
+ProgramHandle ProgramCache::find(const Key& key) {
     State::Entry* const entry = m_state->entryOf(key);
     if (entry == nullptr || !entry->program)
         return nullptr;

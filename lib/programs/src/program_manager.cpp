@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <map>
 #include <thread>
 #include <utility>
@@ -21,12 +20,6 @@ Error drawsNothing(const Permutation& permutation) {
     const std::string name = toName(permutation);
     return {"program.draw", name, "links, but draws nothing, as where the GPU's registers do not suffice",
             "see what it needs with: frankenshader cost " + name};
-}
-
-std::string hexOf(Key key) {
-    char text[17];
-    std::snprintf(text, sizeof(text), "%016llx", static_cast<unsigned long long>(key));
-    return text;
 }
 
 Permutation endOfChain(Permutation permutation) {
@@ -210,7 +203,7 @@ void ProgramManager::State::fail(const Permutation& permutation, const Error& er
     const std::optional<Permutation> next = simpler(permutation);
     fallbacks.push_back({permutation, next, error});
     if (log)
-        log(LogLevel::Error, toString(error) + "; key " + hexOf(toKey(permutation)) + "; " +
+        log(LogLevel::Error, toString(error) + "; key " + toHex(toKey(permutation)) + "; " +
                                  (next ? "drawn with " + toName(*next) + " instead" : "not drawn"));
 }
 

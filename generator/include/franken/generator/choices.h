@@ -18,14 +18,11 @@ struct Option {
 struct Choice {
     std::string_view name;           ///< As the member of Permutation is called.
     bool material;                   ///< Joined by '.' in a name; others by '+'.
-    unsigned shift, bits;            ///< Its place in the key.
+    unsigned shift, bits;            ///< Its place in the key, from 0 to 127; never over both words.
     std::span<const Option> options; ///< The first is the default.
     unsigned (*get)(const Permutation&);
     void (*set)(Permutation&, unsigned);
 };
-
-/// All choices, in the order of names and of the table in the README.
-std::span<const Choice> choices();
 
 /// A range of key bits that a later feature will use.
 struct ReservedBits {
@@ -33,7 +30,26 @@ struct ReservedBits {
     unsigned shift, bits;
 };
 
-/// What is put by, so that these features will change no key: skinning, morphs, shadows, more workarounds.
+/// The bits that say which schema a key is of.
+inline constexpr ReservedBits kSchemaBits{"the schema version", 120, 8};
+
+/// A value at its place in a key.
+constexpr Key keyBits(std::uint64_t value, unsigned shift) {
+    Key key;
+    key.words[shift / 64] = value << shift % 64;
+    return key;
+}
+
+/// The value of so many bits of a key.
+constexpr std::uint64_t valueOf(const Key& key, unsigned shift, unsigned bits) {
+    return key.words[shift / 64] >> shift % 64 & ((std::uint64_t{1} << bits) - 1);
+}
+
+/// All choices, in the order of names and of the table in the README.
+std::span<const Choice> choices();
+
+/// What is put by, so that these features will change no key. Further values of a choice that is there
+/// already need no bits of their own: its field has room for them.
 std::span<const ReservedBits> reservedBits();
 
 } // namespace franken

@@ -4,7 +4,11 @@
 #include "franken/api.h"
 #include "franken/result.h"
 
+#include <array>
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -117,7 +121,7 @@ enum class Dither : std::uint8_t {
 enum class View : std::uint8_t { Shaded, BaseColor, Normal, RoughnessMetallic, Occlusion };
 
 /// Which of several equal forms of a snippet is used.
-enum class Target : std::uint8_t { Generic, Vc4, V3d };
+enum class Target : std::uint8_t { Generic, Vc4 };
 
 /// Every choice that changes the text of a program, and nothing else. A default-constructed one is an
 /// opaque, untextured, unlit-by-anything surface; each member's first value is its default.
@@ -164,19 +168,35 @@ struct Permutation {
     friend bool operator==(const Permutation&, const Permutation&) = default;
 };
 
-/// The permutation packed into 64 bits, schema version included. For a canonical permutation: equal
-/// text, equal key.
-using Key = std::uint64_t;
+/// The permutation packed into 128 bits, schema version included. For a canonical permutation: equal text,
+/// equal key. A default-constructed one is no permutation's.
+struct Key {
+    std::array<std::uint64_t, 2> words{}; ///< Bits 0 to 63, which are the material's, and 64 to 127.
+
+    friend auto operator<=>(const Key&, const Key&) = default;
+};
+
+/// Spreads keys over the upper bits: multilinear hashing (Lemire and Kaser, "Strongly universal string
+/// hashing is fast", 2014). Only says where to look; whoever looks compares whole keys.
+constexpr std::uint64_t hashOf(const Key& key) {
+    return key.words[0] * 0x9E3779B97F4A7C15u + key.words[1] * 0xC2B2AE3D27D4EB4Fu;
+}
+
+/// "0x02000000000000000000000000000004": the upper word first.
+std::string toHex(const Key& key);
+
+/// Reads what toHex() writes; leading zeros may be missing. Fails with "permutation.key".
+Result<Key> parseHex(std::string_view hex);
 
 /// Changes whenever the meaning of a key's bits does; 0 is never used.
-inline constexpr unsigned kSchemaVersion = 1;
+inline constexpr unsigned kSchemaVersion = 2;
 
 /// Packs; any values of the members are allowed as long as they are in range (asserted).
 Key toKey(const Permutation& permutation);
 
 /// Unpacks. Fails with "permutation.schema" for another schema version and "permutation.key" where a bit
 /// pattern means nothing or a reserved bit is set.
-Result<Permutation> fromKey(Key key);
+Result<Permutation> fromKey(const Key& key);
 
 enum class Stage : std::uint8_t { Vertex, Fragment };
 
@@ -211,3 +231,11 @@ struct Canonical {
 Result<Canonical> canonicalise(const Permutation& permutation);
 
 } // namespace franken
+
+template<>
+struct std::hash<franken::Key> {
+    std::size_t operator()(const franken::Key& key) const noexcept {
+        const std::uint64_t mixed = franken::hashOf(key);
+        return static_cast<std::size_t>(mixed ^ mixed >> 32); // Tables of a power of two take the lower bits.
+    }
+};

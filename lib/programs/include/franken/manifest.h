@@ -17,7 +17,7 @@ namespace FRANKEN_API franken {
 /// What a run needed, kept for the warm-up of the next one. A file of text that `frankenshader dump
 /// --manifest` and the other commands read as well:
 ///
-///     # FrankenShader manifest, schema 1
+///     # FrankenShader manifest, schema 2
 ///     basecolor.normal+sun1 wrap0=cr wrap1=rr
 ///     blend+sun1
 ///     # end 2 5d0b1a3c

@@ -66,7 +66,7 @@ public:
 
     /// The program of a key that get() has returned and that is still here, else null: the look-up of a warm
     /// run, for applications that keep keys.
-    ProgramHandle find(Key key);
+    ProgramHandle find(const Key& key);
 
     /// Why a program failed, or null where it did not (or is not known).
     const Error* failure(const Permutation& permutation) const;

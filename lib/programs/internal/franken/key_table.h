@@ -17,7 +17,7 @@ public:
 
     KeyTable() { reserve(8); }
 
-    std::uint32_t find(Key key) const {
+    std::uint32_t find(const Key& key) const {
         for (std::size_t cell = home(key);; cell = (cell + 1) & m_mask) {
             if (m_cells[cell].key == key)
                 return m_cells[cell].place;
@@ -27,11 +27,11 @@ public:
     }
 
     /// The key must not be there yet.
-    void insert(Key key, std::uint32_t place);
+    void insert(const Key& key, std::uint32_t place);
     void clear();
 
 private:
-    static constexpr Key kNoKey = 0; ///< No key is 0: each has a schema version.
+    static constexpr Key kNoKey{}; ///< No key is all zeros: each has a schema version.
     struct Cell {
         Key key = kNoKey;
         std::uint32_t place = kAbsent;
@@ -40,9 +40,7 @@ private:
     void reserve(std::size_t cells);
     void put(const Cell& entry);
 
-    /// Multiplicative hashing (Knuth, "The Art of Computer Programming" 3, 6.4): the upper bits of key times
-    /// 2^64 over the golden ratio.
-    std::size_t home(Key key) const { return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> m_shift); }
+    std::size_t home(const Key& key) const { return static_cast<std::size_t>(hashOf(key) >> m_shift); }
 
     std::vector<Cell> m_cells;
     std::size_t m_used = 0;
