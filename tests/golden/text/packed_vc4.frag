@@ -3,7 +3,7 @@
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   suns: sun1
-//   target: vc4
+//   target: 1
 //
 // FRAGMENT SHADER
 //

@@ -10,7 +10,7 @@
 //   suns: sun2
 //   decode: decode-fast
 //   output: srgb-fast
-//   target: vc4
+//   target: 1
 //
 // FRAGMENT SHADER
 //

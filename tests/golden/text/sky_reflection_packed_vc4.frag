@@ -5,7 +5,7 @@
 //   ambient: sh
 //   reflection: 1
 //   suns: sun1
-//   target: vc4
+//   target: 1
 //
 // FRAGMENT SHADER
 //
