@@ -61,7 +61,8 @@ std::string toName(const Permutation& permutation) {
             continue;
         if (!name.empty())
             name += choice.material && lastWasMaterial ? '.' : '+';
-        name += choice.options[value].word;
+        name += value < choice.options.size() ? std::string(choice.options[value].word)
+                                              : std::string(choice.name) + "=" + std::to_string(value);
         lastWasMaterial = choice.material;
     }
     return name.empty() ? std::string(choices().front().options.front().word) : name;

@@ -275,7 +275,7 @@ TEST_P(OverlayBudgetTest, ASourceThatFailsSaysSoAndIsAskedAgain) {
 
 TEST_P(OverlayTest, WarmUpTakesItsProgram) {
     Renderer renderer(gl());
-    const ProgramUse use = overlayUse({});
+    const ProgramUse use = *overlayUse({});
     ASSERT_TRUE(renderer.warmUp(target(), {{use}}));
     const unsigned compiles = renderer.programCounters().compiles;
     const Result<PictureId> picture = renderer.addPicture(fourColors());

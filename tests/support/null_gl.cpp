@@ -32,6 +32,7 @@ Gl nullGl() {
     gl.GetShaderiv = [](GLuint, GLenum, GLint* value) { *value = GL_TRUE; };
     gl.GetProgramiv = [](GLuint, GLenum, GLint* value) { *value = GL_TRUE; };
     gl.GetUniformLocation = [](GLuint, const GLchar*) { return static_cast<GLint>(++lastName); };
+    gl.GetString = [](GLenum) { return reinterpret_cast<const GLubyte*>("OpenGL ES 3.0"); };
     gl.GetIntegerv = [](GLenum, GLint* value) { *value = 4096; };
     gl.CheckFramebufferStatus = [](GLenum) -> GLenum { return GL_FRAMEBUFFER_COMPLETE; };
     return gl;

@@ -111,11 +111,13 @@ bool isByUs(std::string_view text) {
     const std::string last(text.substr(line));
     std::size_t count = 0;
     unsigned crc = 0;
-    return std::sscanf(last.c_str(), "# end %zu %x", &count, &crc) == 2 && last.size() == endLine(count, crc).size();
+    return std::sscanf(last.c_str(), "# end %zu %x", &count, &crc) == 2 &&
+           last.size() == endLine(count, crc).size();
 }
 
 bool isTorn(std::string_view text) {
-    return heading().starts_with(text) || text.find_first_not_of(std::string_view("\0 \t\r\n", 5)) == text.npos;
+    return heading().starts_with(text) ||
+           text.find_first_not_of(std::string_view("\0 \t\r\n", 5)) == text.npos;
 }
 
 std::string manifestLinesOf(std::span<const ProgramUse> uses) {
@@ -147,7 +149,8 @@ Result<std::vector<ProgramUse>> parseManifest(std::string_view text, const std::
         const Result<ProgramUse> use = readLine(line, name);
         // A whole text of ours with a word that we do not know: by a version that had other words.
         if (!use && byUs)
-            return Error{"manifest.schema", use.error().where, use.error().what, "delete it: it is written anew"};
+            return Error{"manifest.schema", use.error().where, use.error().what,
+                         "delete it: it is written anew"};
         if (!use)
             return use.error();
         uses.push_back(*use);

@@ -27,12 +27,11 @@ struct Existing {
     std::vector<ProgramUse> uses;
 };
 
-Error writeError(const Error& error) {
-    return {"manifest.write", error.where, error.what, error.remedy};
-}
+Error writeError(const Error& error) { return {"manifest.write", error.where, error.what, error.remedy}; }
 
 Error foreign(const fs::path& file, const std::string& why) {
-    return {"manifest.foreign", file.string(), "it is no manifest, and is left as it is: " + why, kAnotherName};
+    return {"manifest.foreign", file.string(), "it is no manifest, and is left as it is: " + why,
+            kAnotherName};
 }
 
 // A file that cannot be read or that someone else made is an error: nothing is lost by a disk's bad day.

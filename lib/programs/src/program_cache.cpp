@@ -6,6 +6,7 @@
 #include "franken/guard.h"
 #include "franken/key_table.h"
 #include "franken/own_thread.h"
+#include "franken/permutation_check.h"
 
 #include <algorithm>
 #include <chrono>
@@ -124,7 +125,7 @@ ProgramCache& ProgramCache::operator=(ProgramCache&&) noexcept = default;
 ProgramCache::~ProgramCache() = default;
 
 void ProgramCache::compileInBackground(const Permutation& permutation) {
-    if (m_state->entryOf(toKey(permutation)) == nullptr)
+    if (checkValues(permutation) && m_state->entryOf(toKey(permutation)) == nullptr)
         m_state->add(permutation);
 }
 
@@ -146,6 +147,8 @@ ProgramHandle ProgramCache::find(const Key& key) {
 }
 
 Result<ProgramHandle> ProgramCache::get(const Permutation& permutation) {
+    if (Result<void> checked = checkValues(permutation); !checked)
+        return checked.error();
     const Key key = toKey(permutation);
     if (ProgramHandle program = find(key))
         return program;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gpu_scene.h"
 
+#include "franken/scene_check.h"
 #include "object_block.h"
 
 #include <algorithm>
@@ -110,6 +111,8 @@ DefaultTextures::DefaultTextures(const Gl& gl)
     : white(uploadTexel(gl, {255, 255, 255, 255})), flatNormal(uploadTexel(gl, {128, 128, 255, 255})) {}
 
 Result<GpuScene> upload(Device& device, const Scene& scene, const DefaultTextures& defaults) {
+    if (Result<void> checked = check(scene); !checked)
+        return checked.error();
     return Uploader(device, scene, defaults).make();
 }
 

@@ -48,7 +48,7 @@ struct DefaultTextures {
     GlTexture white, flatNormal;
 };
 
-/// Fails with "memory.budget" and with "gl.object".
+/// Fails as check(scene), with "memory.budget" and with "gl.object".
 Result<GpuScene> upload(Device& device, const Scene& scene, const DefaultTextures& defaults);
 
 } // namespace franken

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "franken/light.h"
 
-#include <cassert>
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 
 namespace franken {
 namespace {
@@ -25,33 +27,95 @@ PunctualLight toPunctualLight(const Light& light) {
             .outerCone = light.outerConeAngle};
 }
 
-void warnOfMore(const char* what, std::size_t left, const Log& log) {
-    if (left > 0 && log)
-        log(LogLevel::Warning, "the scene has more than " + std::to_string(Permutation::kMaxLights) + " " +
-                                   what + ": the last " + std::to_string(left) + " are left out");
+constexpr std::size_t kMost = Permutation::kMaxLights;
+
+glm::dvec3 toVector(const Float3& v) { return {v[0], v[1], v[2]}; }
+
+Float3 toFloat3(const glm::dvec3& v) {
+    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+glm::dvec3 directionOf(const Sun& sun) {
+    const glm::dvec3 direction = toVector(sun.direction);
+    const double length = glm::length(direction);
+    return length > 0 ? direction / length : glm::dvec3(0, -1, 0);
+}
+
+/// Of a light's channels, the one that counts for how strong it is.
+double brightest(const Float3& color) { return std::max({color[0], color[1], color[2]}); }
+
+/// One sun in place of two. Opposite suns of equal strength have no mean: the first one's direction is kept.
+Sun merged(const Sun& a, const Sun& b) {
+    const glm::dvec3 first = toVector(a.color) * double{a.illuminance};
+    const glm::dvec3 second = toVector(b.color) * double{b.illuminance};
+    const double ofFirst = brightest(toFloat3(first)), ofSecond = brightest(toFloat3(second));
+    const glm::dvec3 mean = directionOf(a) * ofFirst + directionOf(b) * ofSecond;
+    constexpr double kNoDirection = 1e-9;
+    const bool hasMean = glm::length(mean) > kNoDirection * (ofFirst + ofSecond);
+    return {.direction = toFloat3(hasMean ? glm::normalize(mean) : directionOf(a)),
+            .color = toFloat3(first + second),
+            .illuminance = 1};
+}
+
+void mergeNearest(std::vector<Sun>& suns) {
+    std::size_t first = 0, second = 1;
+    double nearest = -2;
+    for (std::size_t i = 0; i < suns.size(); ++i)
+        for (std::size_t j = i + 1; j < suns.size(); ++j)
+            if (const double cosine = glm::dot(directionOf(suns[i]), directionOf(suns[j]));
+                cosine > nearest) {
+                nearest = cosine;
+                first = i;
+                second = j;
+            }
+    suns[first] = merged(suns[first], suns[second]);
+    suns.erase(suns.begin() + static_cast<std::ptrdiff_t>(second));
+}
+
+void keepStrongest(std::vector<PunctualLight>& lights) {
+    const auto strength = [](const PunctualLight& light) { return brightest(light.color) * light.intensity; };
+    while (lights.size() > kMost)
+        lights.erase(std::min_element(lights.begin(), lights.end(), [&](const auto& a, const auto& b) {
+            return strength(a) < strength(b);
+        }));
 }
 
 } // namespace
 
-Lighting lightingOf(const Scene& scene, const Log& log) {
-    constexpr std::size_t kMost = Permutation::kMaxLights;
-    Lighting lighting;
-    std::size_t moreSuns = 0, morePunctual = 0;
-    for (const Light& light : scene.lights) {
-        if (light.kind == Light::Kind::Directional)
-            lighting.suns.size() < kMost ? lighting.suns.push_back(toSun(light)) : void(++moreSuns);
-        else
-            lighting.punctualLights.size() < kMost ? lighting.punctualLights.push_back(toPunctualLight(light))
-                                                   : void(++morePunctual);
-    }
-    warnOfMore("suns", moreSuns, log);
-    warnOfMore("punctual lights", morePunctual, log);
+Lighting fittedLighting(Lighting lighting) {
+    while (lighting.suns.size() > kMost)
+        mergeNearest(lighting.suns);
+    keepStrongest(lighting.punctualLights);
     return lighting;
 }
 
+std::string fittingOf(const Lighting& lighting) {
+    const auto text = [](std::size_t count, const char* kind, const char* rule) {
+        return "there are " + std::to_string(count) + " " + kind + ", and a program takes " +
+               std::to_string(kMost) + ": " + rule;
+    };
+    if (lighting.suns.size() > kMost)
+        return text(lighting.suns.size(), "suns", "those nearest in direction become one");
+    if (lighting.punctualLights.size() > kMost)
+        return text(lighting.punctualLights.size(), "punctual lights", "the strongest remain");
+    return {};
+}
+
+Lighting lightingOf(const Scene& scene, const Log& log) {
+    Lighting lighting;
+    for (const Light& light : scene.lights)
+        if (light.kind == Light::Kind::Directional)
+            lighting.suns.push_back(toSun(light));
+        else
+            lighting.punctualLights.push_back(toPunctualLight(light));
+    if (const std::string fitting = fittingOf(lighting); log && !fitting.empty())
+        log(LogLevel::Warning, fitting);
+    return fittedLighting(std::move(lighting));
+}
+
 LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye) {
-    assert(lighting.suns.size() <= Permutation::kMaxLights &&
-           lighting.punctualLights.size() <= Permutation::kMaxLights);
+    if (lighting.suns.size() > kMost || lighting.punctualLights.size() > kMost)
+        return packLighting(fittedLighting(lighting), eye);
     LightsBlock block{};
     packAmbient(block, lighting.ambientColor, lighting.exposure);
     packSky(block, lighting.sky, lighting.exposure);

@@ -194,6 +194,8 @@ MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents
 }
 
 Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& lighting, const Look& look) {
+    if (!fittingOf(lighting).empty())
+        return permutationOf(plan, fittedLighting(lighting), look);
     Permutation permutation = plan.permutation;
     apply(look, permutation);
     if (plan.fine)

@@ -7,7 +7,6 @@
 #include "gpu_mesh.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <span>
 
@@ -50,7 +49,7 @@ std::vector<std::uint16_t> quadIndices() {
 
 } // namespace
 
-ProgramUse overlayUse(const Look& look) {
+Result<ProgramUse> overlayUse(const Look& look) {
     Permutation permutation;
     permutation.program = Program::Overlay;
     permutation.baseColorTexture = true;
@@ -59,18 +58,22 @@ ProgramUse overlayUse(const Look& look) {
     permutation.output = look.srgbTarget ? Output::Linear : look.output;
     permutation.target = look.target;
     const Result<Canonical> canonical = canonicalise(permutation);
-    assert(canonical && "nothing here contradicts itself");
+    if (!canonical)
+        return canonical.error();
     DrawState state;
     state.wraps[0] = DrawState::kClamped;
     state.blend = true;
-    return {canonical->permutation, state};
+    return ProgramUse{canonical->permutation, state};
 }
 
 // The buffers are made together with the program, when the first overlay is drawn.
 Result<void> Overlay::prepare(const Look& look) {
     if (!m_program) {
         // In a target of the manager's own: this one's picture is to stay.
-        const Result<ProgramManager::Supplied> supplied = m_programs.get(overlayUse(look), nullptr);
+        const Result<ProgramUse> use = overlayUse(look);
+        if (!use)
+            return use.error();
+        const Result<ProgramManager::Supplied> supplied = m_programs.get(*use, nullptr);
         m_device.state.invalidate();
         if (!supplied)
             return supplied.error();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/program_uses.h"
 
+#include "franken/scene_check.h"
+
 #include <algorithm>
 
 namespace franken {
@@ -17,6 +19,8 @@ DrawState drawStateOf(const Scene& scene, const MaterialPlan& plan, bool blended
 
 Result<std::vector<ProgramUse>> usesOf(const Scene& scene, const Lighting& lighting, const Look& look,
                                        const Log& log) {
+    if (Result<void> checked = check(scene); !checked)
+        return checked.error();
     std::vector<ProgramUse> uses;
     for (const Mesh& mesh : scene.meshes)
         for (const Primitive& primitive : mesh.primitives) {

@@ -92,6 +92,7 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
     const std::array<GlOwner*, 7> owners = {&programs, &models,  &skybox, &reflection,
                                             &pictures, &overlay, &frame};
     Result<void> lightingError; ///< Of the last setLighting().
+    std::string saidOfLights;   ///< In the log, so that it is said once.
 };
 
 Renderer::Renderer(const Gl& gl, Log log) : Renderer(gl, Capabilities::query(gl), std::move(log)) {}
@@ -125,9 +126,16 @@ Result<void> Renderer::setReflection(const ReflectionMaps* maps, ReflectionSourc
 }
 
 void Renderer::setLighting(const Lighting& lighting) {
-    m_state->lightingError = check(lighting);
-    if (m_state->lightingError)
-        m_state->frame.setLighting(lighting);
+    State& state = *m_state;
+    state.lightingError = check(lighting);
+    if (!state.lightingError)
+        return;
+    const std::string fitting = fittingOf(lighting);
+    if (!fitting.empty() && fitting != state.saidOfLights && state.device.log)
+        state.device.log(LogLevel::Warning, fitting);
+    if (!fitting.empty())
+        state.saidOfLights = fitting;
+    fitting.empty() ? state.frame.setLighting(lighting) : state.frame.setLighting(fittedLighting(lighting));
 }
 
 void Renderer::setLook(const Look& look) {

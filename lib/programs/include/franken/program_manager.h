@@ -81,7 +81,7 @@ public:
 
     /// Compiles all programs that these uses need, and the ends of their fallback chains. The target is one
     /// of those that will be drawn to, or like them; its contents are undefined afterwards. Fails with
-    /// "renderer.context-lost" alone.
+    /// "renderer.context-lost", and with "permutation.range" as canonicalise() does.
     Result<WarmUpReport> warmUp(std::span<const ProgramUse> uses, const DrawTarget& target,
                                 const WarmUpProgress& progress = {});
 

@@ -6,6 +6,7 @@
 #include "franken/log.h"
 #include "franken/scene.h"
 
+#include <string>
 #include <vector>
 
 namespace FRANKEN_API franken {
@@ -14,8 +15,8 @@ namespace FRANKEN_API franken {
 /// kind of ambient light and whether it is mirrored choose programs; all else are uniforms, free to change
 /// from frame to frame.
 struct Lighting {
-    std::vector<Sun> suns;                     ///< Up to Permutation::kMaxLights.
-    std::vector<PunctualLight> punctualLights; ///< Up to Permutation::kMaxLights.
+    std::vector<Sun> suns;                     ///< See fittedLighting().
+    std::vector<PunctualLight> punctualLights; ///< See fittedLighting().
     Ambient ambient = Ambient::None;           ///< Which of the next two is used.
     Float3 ambientColor{0, 0, 0};              ///< Linear radiance, 0 and up.
     SkyCoefficients sky{};
@@ -25,12 +26,20 @@ struct Lighting {
     float exposure = 1; ///< Multiplies all light, that of emissive surfaces included; above 0.
 };
 
-/// The suns and punctual lights of a scene, in its order. Warns of those beyond what one program takes and
-/// leaves them out. Without ambient light.
+/// The suns and punctual lights of a scene, in its order, fitted: see fittedLighting(), which is logged.
+/// Without ambient light.
 Lighting lightingOf(const Scene& scene, const Log& log = {});
 
-/// Folds all of it for programs. Punctual lights are given from the eye: `eye` is the camera's place in the
-/// world, m.
+/// The lighting with as many lights as one program takes (Permutation::kMaxLights of each kind). Of more
+/// suns, the two nearest in direction become one until four are left: their irradiances add, and the
+/// direction is the mean, weighted by irradiance. Of more punctual lights, the four of the highest luminous
+/// intensity remain, in their order.
+Lighting fittedLighting(Lighting lighting);
+/// That in words, for a log; empty where nothing has to be fitted.
+std::string fittingOf(const Lighting& lighting);
+
+/// Folds all of it for programs, after fittedLighting(). Punctual lights are given from the eye: `eye` is the
+/// camera's place in the world, m.
 LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye);
 
 } // namespace franken

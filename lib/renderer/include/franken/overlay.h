@@ -13,11 +13,10 @@
 /// Text and pictures on top of a frame: textured rectangles. See Renderer::addPicture() and drawOverlay().
 namespace FRANKEN_API franken {
 
-/// A picture that a renderer holds for overlays; never given to another one.
+/// A picture that a renderer holds for overlays; no other handle of the process has its value.
 enum class PictureId : unsigned {};
 
-/// Makes a picture again that was lost with the context or made room for others; see SceneSource. Called from
-/// drawOverlay().
+/// Loads a picture again that was lost with the context or evicted; see SceneSource. Called from drawOverlay().
 using PictureSource = std::function<Result<Image>()>;
 
 /// Right and down from the upper left corner.
@@ -37,7 +36,8 @@ struct OverlayQuad {
     Float4 color{1, 1, 1, 1};
 };
 
-/// The program that overlays need, for Renderer::warmUp().
-ProgramUse overlayUse(const Look& look);
+/// The program that overlays need, for Renderer::warmUp(). Fails with "permutation.range" for a look that does not
+/// exist.
+Result<ProgramUse> overlayUse(const Look& look);
 
 } // namespace franken

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include "franken/scene_check.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace franken {
+namespace {
+
+template<typename Vector>
+bool isFinite(const Vector& vector) {
+    const auto* const first = glm::value_ptr(vector);
+    return std::all_of(first, first + sizeof(vector) / sizeof(*first),
+                       [](auto value) { return std::isfinite(value); });
+}
+
+template<typename Vector>
+bool areFinite(const std::vector<Vector>& vectors) {
+    return std::all_of(vectors.begin(), vectors.end(), isFinite<Vector>);
+}
+
+bool isIndex(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
+
+bool isWithin(float value, float least, float most) { return value >= least && value <= most; }
+
+/// The place of an element: "meshes[2].primitives[0]".
+std::string at(const char* array, std::size_t index) {
+    return std::string(array) + "[" + std::to_string(index) + "]";
+}
+
+/// Gathers the first fault.
+class Checker {
+public:
+    explicit Checker(const Scene& scene) : m_scene(scene) {}
+
+    Result<void> run() {
+        each("images", m_scene.images,
+             [&](const Image& image, const std::string& where) { add(image, where); });
+        each("textures", m_scene.textures,
+             [&](const Texture& texture, const std::string& where) { add(texture, where); });
+        each("materials", m_scene.materials,
+             [&](const Material& material, const std::string& where) { add(material, where); });
+        each("meshes", m_scene.meshes, [&](const Mesh& mesh, const std::string& where) {
+            each((where + ".primitives").c_str(), mesh.primitives,
+                 [&](const Primitive& primitive, const std::string& place) { add(primitive, place); });
+        });
+        each("instances", m_scene.instances, [&](const Instance& instance, const std::string& where) {
+            expect(isIndex(instance.mesh, m_scene.meshes.size()), where, ".mesh", "there is no such mesh");
+            expect(isFinite(instance.world), where, ".world", "its numbers must be finite");
+        });
+        return std::move(m_fault);
+    }
+
+private:
+    template<typename Elements, typename Function>
+    void each(const char* array, const Elements& elements, Function function) {
+        for (std::size_t i = 0; i < elements.size() && m_fault; ++i)
+            function(elements[i], at(array, i));
+    }
+
+    void expect(bool holds, const std::string& where, const char* member, const char* what) {
+        if (!holds && m_fault)
+            m_fault = Error{"scene.data", where + member, what, "scene.h says what each member may hold"};
+    }
+
+    void add(const Image& image, const std::string& where) {
+        const bool hasSize = image.width > 0 && image.height > 0;
+        const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+        expect(hasSize, where, "", "it has no pixels");
+        expect(!hasSize || (image.rgba.size() % 4 == 0 && image.rgba.size() / 4 == pixels), where, ".rgba",
+               "it must hold four bytes for each pixel");
+    }
+
+    void add(const Texture& texture, const std::string& where) {
+        expect(texture.image == kNone || isIndex(texture.image, m_scene.images.size()), where, ".image",
+               "there is no such image");
+        const auto isWrap = [](Wrap wrap) { return wrap >= Wrap::Repeat && wrap <= Wrap::MirroredRepeat; };
+        expect(isWrap(texture.wrapS) && isWrap(texture.wrapT), where, ".wrapS", "there is no such wrap");
+        expect(texture.magFilter == Filter::Nearest || texture.magFilter == Filter::Linear, where,
+               ".magFilter", "it must be Nearest or Linear");
+        expect(texture.minFilter >= Filter::Nearest && texture.minFilter <= Filter::LinearMipmapLinear, where,
+               ".minFilter", "there is no such filter");
+    }
+
+    void add(const TextureRef& ref, const std::string& where, const char* role) {
+        if (!ref)
+            return;
+        const bool exists = isIndex(ref.texture, m_scene.textures.size());
+        expect(exists, where, role, "there is no such texture");
+        expect(!exists || m_scene.textures[static_cast<std::size_t>(ref.texture)].image != kNone, where, role,
+               "its texture has no image");
+        expect(ref.uvSet == 0 || ref.uvSet == 1, where, role, "its uvSet must be 0 or 1");
+        expect(isFinite(ref.transform), where, role, "its transform must be finite");
+    }
+
+    void add(const Material& material, const std::string& where) {
+        add(material.baseColorTexture, where, ".baseColorTexture");
+        add(material.metallicRoughnessTexture, where, ".metallicRoughnessTexture");
+        add(material.normalTexture, where, ".normalTexture");
+        add(material.occlusionTexture, where, ".occlusionTexture");
+        add(material.emissiveTexture, where, ".emissiveTexture");
+        expect(isFinite(material.baseColor), where, ".baseColor", "its numbers must be finite");
+        expect(isWithin(material.metallic, 0, 1), where, ".metallic", "it must be 0 to 1");
+        expect(isWithin(material.roughness, 0, 1), where, ".roughness", "it must be 0 to 1");
+        expect(std::isfinite(material.normalScale), where, ".normalScale", "it must be finite");
+        expect(isWithin(material.occlusionStrength, 0, 1), where, ".occlusionStrength", "it must be 0 to 1");
+        expect(isFinite(material.emissive) &&
+                   glm::all(glm::greaterThanEqual(material.emissive, glm::vec3(0))),
+               where, ".emissive", "it must be finite, and 0 or more");
+        expect(material.alphaMode >= AlphaMode::Opaque && material.alphaMode <= AlphaMode::Blend, where,
+               ".alphaMode", "there is no such mode");
+        expect(std::isfinite(material.alphaCutoff), where, ".alphaCutoff", "it must be finite");
+    }
+
+    template<typename Vector>
+    void addStream(const std::vector<Vector>& values, std::size_t vertices, const std::string& where,
+                   const char* member) {
+        expect(values.empty() || values.size() == vertices, where, member,
+               "it must be empty, or as long as positions");
+        expect(areFinite(values), where, member, "its numbers must be finite");
+    }
+
+    void add(const Primitive& primitive, const std::string& where) {
+        const std::size_t vertices = primitive.positions.size();
+        expect(isIndex(primitive.material, m_scene.materials.size()), where, ".material",
+               "there is no such material");
+        expect(areFinite(primitive.positions), where, ".positions", "its numbers must be finite");
+        expect(primitive.normals.size() == vertices, where, ".normals",
+               "there must be one for each position");
+        addStream(primitive.normals, vertices, where, ".normals");
+        const auto isNormal = [](const glm::vec3& normal) { return normal != glm::vec3(0); };
+        expect(std::all_of(primitive.normals.begin(), primitive.normals.end(), isNormal), where, ".normals",
+               "they must have a length");
+        addStream(primitive.tangents, vertices, where, ".tangents");
+        addStream(primitive.uv[0], vertices, where, ".uv[0]");
+        addStream(primitive.uv[1], vertices, where, ".uv[1]");
+        addStream(primitive.colors, vertices, where, ".colors");
+        expect(primitive.indices.size() % 3 == 0, where, ".indices", "there must be three for each triangle");
+        const auto isVertex = [&](std::uint32_t index) { return index < vertices; };
+        expect(std::all_of(primitive.indices.begin(), primitive.indices.end(), isVertex), where, ".indices",
+               "one of them is that of no position");
+    }
+
+    const Scene& m_scene;
+    Result<void> m_fault;
+};
+
+} // namespace
+
+Result<void> check(const Scene& scene) { return Checker(scene).run(); }
+
+} // namespace franken
