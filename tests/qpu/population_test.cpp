@@ -53,10 +53,14 @@ TEST_P(QpuPopulation, CompilesWhereTheBudgetLetsItThrough) {
     const std::string path = FRANKEN_BINARY_DIR "/qpu_" + name + "_slow.tsv";
     std::ofstream list(path);
     list << "instructions\tthreads\tspills\tname\n";
-    std::size_t slow = 0, bursting = 0;
+    std::size_t slow = 0, bursting = 0, refused = 0, manyLights = 0;
     for (std::size_t i = 0; i < programs.size(); ++i) {
         const cli::Cost& cost = (*costs)[i];
         const Composed program = compose(programs[i]);
+        if (programs[i].suns + programs[i].punctualLights > 4 && cost.measured()) {
+            ++manyLights;
+            refused += budget(program.interface, *profile).fits() ? 0 : 1;
+        }
         if (!cost.measured()) {
             ++bursting;
             EXPECT_FALSE(budget(program.interface, *profile).fits())
@@ -69,6 +73,10 @@ TEST_P(QpuPopulation, CompilesWhereTheBudgetLetsItThrough) {
         list << cost.fragment.instructions << '\t' << cost.fragment.threads << '\t' << cost.fragment.spills
              << '\t' << toName(programs[i]) << '\n';
     }
+    EXPECT_LE(refused, manyLights / 2)
+        << "of " << manyLights << " that would draw, the budget refuses too many";
+    std::cout << name << ": the budget refuses " << refused << " of " << manyLights
+              << " programs with more than four lights that compile\n";
     std::cout << name << ": of " << programs.size() << " programs " << slow << " run with 1 thread or spill ("
               << path << "), and " << bursting << " burst the budget\n";
 }

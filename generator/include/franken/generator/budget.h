@@ -32,8 +32,10 @@ std::string_view toText(Resource resource);
 /// What one kind of GPU offers, as its GLES2 driver states it.
 struct Profile {
     std::string_view name;
-    std::string_view meaning;               ///< Which machines it stands for, and who stated the figures.
-    std::array<int, kResourceCount> limits; ///< By Resource.
+    std::string_view meaning; ///< Which machines it stands for, and who stated the figures.
+    /// By Resource. Of lights at least so many: where a compiler cannot spill, a program that holds little
+    /// else has registers for more of them.
+    std::array<int, kResourceCount> limits;
 };
 
 /// vc4, v3d, es2-minimum (what every GLES2 implementation has at least) and software (Mesa's rasterisers).
