@@ -6,15 +6,14 @@
 set -eu
 [ $# -le 1 ] || { echo "usage: examples/run.sh [MODEL.gltf|MODEL.glb]" >&2; exit 2; }
 [ $# = 0 ] || [ -f "$1" ] || { echo "examples/run.sh: $1: no such file" >&2; exit 3; }
-root=$(cd "$(dirname "$0")/.." && pwd)
+root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd -P)
 bin=$root/build/release/bin
 out=$root/out
 model=$(realpath -m -- "${1:-/usr/share/assimp/models/glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb}")
 
 "$root/toolchains/install-packages.sh" build
 cd "$root"
-[ -f build/release/build.ninja ] || cmake --preset release >/dev/null
-cmake --build --preset release -- --quiet
+"$root/toolchains/build.sh" release
 
 echo "The FrankenShader: normal map, ambient colour, one sun"
 echo

@@ -3,10 +3,6 @@
 
 #include "population.h"
 
-#include <sys/wait.h>
-
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <stdexcept>
@@ -14,7 +10,7 @@
 namespace franken::test {
 namespace {
 
-constexpr int kSkipped = 77; // toolchain.sh: the machine cannot have them.
+const std::string kResult = FRANKEN_BINARY_DIR "/Testing/qpu.txt"; // The test Qpu.Compilers writes it.
 
 template<typename T>
 T valueOf(Result<T> result) {
@@ -23,27 +19,28 @@ T valueOf(Result<T> result) {
     return *std::move(result);
 }
 
-Compilers install() {
-    std::FILE* script = popen("exec " FRANKEN_SOURCE_DIR "/tests/qpu/toolchain.sh", "r");
-    if (!script)
-        throw std::runtime_error("toolchain.sh cannot be started");
-    std::array<char, 4096> line{};
-    std::string folder = std::fgets(line.data(), line.size(), script) ? line.data() : "";
-    const int status = pclose(script);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == kSkipped)
+Compilers provided() {
+    constexpr std::string_view kFolder = "folder ", kSkipped = "skipped: ";
+    std::string result;
+    if (!std::getline(std::ifstream(kResult), result)) {
+        // A test that is run by hand.
+        std::system(("'" FRANKEN_SOURCE_DIR "/tests/qpu/provide.sh' '" + kResult + "' >&2").c_str());
+        std::getline(std::ifstream(kResult), result);
+    }
+    if (result.starts_with(kSkipped))
         return {std::nullopt,
-                "the compilers of the Pi's GPUs cannot be had here; see what toolchain.sh said"};
-    if (status != 0 || folder.empty())
-        throw std::runtime_error("toolchain.sh failed");
-    folder.pop_back();
-    setenv("FRANKEN_QPU", folder.c_str(), 1);
+                "the compilers of the Pi's GPUs cannot be had here: " + result.substr(kSkipped.size()) +
+                    "; mend that and run the test Qpu.Compilers again"};
+    if (!result.starts_with(kFolder))
+        throw std::runtime_error("toolchain.sh failed: see " + kResult + ".log");
+    setenv("FRANKEN_QPU", result.substr(kFolder.size()).c_str(), 1);
     return {valueOf(cli::QpuCompiler::open()), ""};
 }
 
 } // namespace
 
 const Compilers& compilers() {
-    static const Compilers all = install();
+    static const Compilers all = provided();
     return all;
 }
 

@@ -8,13 +8,13 @@
 
 namespace franken::test {
 
-/// The compilers, installed by toolchain.sh if need be; or nothing, and why.
+/// The compilers, as toolchain.sh made them once for this run; or nothing, and why.
 struct Compilers {
     std::optional<cli::QpuCompiler> compiler;
     std::string whyNot;
 };
 
-/// Installs once a process. Throws std::runtime_error where toolchain.sh fails instead of saying why the
+/// Looked for once a process. Throws std::runtime_error where toolchain.sh failed instead of saying why the
 /// machine cannot have them.
 const Compilers& compilers();
 

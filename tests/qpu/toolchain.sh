@@ -8,7 +8,7 @@
 # checkout (../shared/qpu) where there is one; otherwise mesa/build.sh builds it, which takes 4 to 8 minutes.
 # Exits with 77 where the compilers cannot be had, and says why.
 set -euo pipefail
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(dirname -- "$(readlink -f -- "$0")")
 version=25.0.7
 tarball=$here/../../../shared/qpu/qpu-mesa-$version.tar.xz
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/frankenshader

@@ -5,7 +5,7 @@
 # Unoptimised: the counts are the same, and the build takes half the time.
 set -euo pipefail
 version=$1 work=$2 prefix=$3
-here=$(cd "$(dirname "$0")" && pwd)
+here=$(dirname -- "$(readlink -f -- "$0")")
 declare -A digests=([25.0.7]=592272df3cf01e85e7db300c449df5061092574d099da275d19e97ef0510f8a6)
 packages="dpkg-dev gcc g++ pkg-config ninja-build bison flex libdrm-dev libexpat1-dev zlib1g-dev libelf-dev python3-venv
   xz-utils patch"
@@ -15,15 +15,13 @@ skip() {
   exit 77
 }
 
-install_packages() {
-  local missing=() package root=()
+# Nothing is installed from within the tests: tests/run.sh does it before.
+check_packages() {
+  local missing=() package
   for package in $packages; do
     dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing+=("$package")
   done
-  [[ ${#missing[@]} -gt 0 ]] || return 0
-  [[ $(id -u) == 0 ]] || root=(sudo -n)
-  DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get -qq install -y --no-install-recommends "${missing[@]}" ||
-    skip "these packages cannot be installed: ${missing[*]}"
+  [[ ${#missing[@]} == 0 ]] || skip "these packages are missing: ${missing[*]} (toolchains/install-packages.sh test)"
 }
 
 # Through a source list of our own: the machine's is left as it is. The address is the one it has for Debian.
@@ -37,15 +35,18 @@ download() {
     -o "Dir::State::Lists=$work/apt/lists" -o "Dir::Cache=$work/apt/cache" -o Debug::NoLocking=1 -o APT::Sandbox::User=root)
   apt-get "${options[@]}" update || skip "Debian cannot be reached"
   apt-get "${options[@]}" source --download-only mesa/trixie || skip "Mesa's source cannot be fetched"
-  echo "${digests[$version]}  mesa_$version.orig.tar.xz" | sha256sum --check --quiet
+  [[ -f mesa_$version.orig.tar.xz ]] ||
+    skip "Debian's archive has $(echo mesa_*.orig.tar.*) now, and the counts are those of Mesa $version"
+  echo "${digests[$version]}  mesa_$version.orig.tar.xz" | sha256sum --check --quiet ||
+    skip "Mesa's source is not the one that the counts are of"
 }
 
 command -v apt-get >/dev/null || skip "this is no Debian"
 cd "$work"
-install_packages
+check_packages
 download
 /usr/bin/python3 -m venv venv
-venv/bin/pip -q install meson==1.6.1 mako==1.4.3 pyyaml==6.0.3 packaging==26.3 || skip "meson and mako cannot be fetched"
+venv/bin/pip -q --retries 1 --timeout 10 install meson==1.6.1 mako==1.4.3 pyyaml==6.0.3 packaging==26.3 || skip "meson and mako cannot be fetched"
 tar xf "mesa_$version.orig.tar.xz"
 patch -d "mesa-$version" -p1 < "$here/shims.patch"
 export PATH=$work/venv/bin:/usr/bin:/bin
