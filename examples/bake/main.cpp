@@ -34,6 +34,10 @@ ExitCode run(Options options) {
     // Baking in place would destroy the source.
     if (const Result<void> checked = checkNotInput(options.output, {{options.sky}}); !checked)
         return fail(checked.error(), ExitCode::Usage);
+    if (isBakedSky(options.sky))
+        return fail({"bake.baked", options.sky.string(), "it is baked already",
+                     "give it to viewer --skybox, or bake its source"},
+                    ExitCode::Refused);
     ProgressBar bar("filtering");
     options.bake.progress = [&bar](float share) { bar.show(share); };
     // Whoever bakes sits at a desktop, and knows the file.

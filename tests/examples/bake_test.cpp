@@ -78,5 +78,32 @@ TEST_F(Bake, ExitCodesTellWhoseFaultItIs) {
     EXPECT_EQ(run("flat.hdr --backdrop 0 -o no/such/folder.sky"), 4);
 }
 
+TEST_F(Bake, DestroysNeitherItsSourceNorAGoodSky) {
+    writeSky("flat.hdr");
+    const std::string source = readText(m_folder / "flat.hdr");
+    fs::create_symlink("flat.hdr", m_folder / "link.hdr");
+    EXPECT_EQ(run("flat.hdr -o flat.hdr"), 2);
+    EXPECT_EQ(run("flat.hdr -o link.hdr"), 2);
+    EXPECT_EQ(readText(m_folder / "flat.hdr"), source);
+    ASSERT_EQ(run("flat.hdr --backdrop 16"), 0);
+    const std::string good = readText(m_folder / "flat.sky");
+    const Outcome full = runIn(m_folder, "trap '' XFSZ; ulimit -f 8; " BAKE " flat.hdr --backdrop 32");
+    EXPECT_EQ(full.code, 4) << full.err;
+    EXPECT_EQ(readText(m_folder / "flat.sky"), good);
+    std::size_t files = 0;
+    for (const auto& entry : fs::directory_iterator(m_folder))
+        files += entry.path().extension() == ".new";
+    EXPECT_EQ(files, 0u) << "no temporary file is left";
+}
+
+TEST_F(Bake, ABakedSkyIsNotBakedAgain) {
+    writeSky("flat.hdr");
+    ASSERT_EQ(run("flat.hdr --backdrop 16"), 0);
+    const Outcome again = runIn(m_folder, BAKE " flat.sky -o again.sky");
+    EXPECT_EQ(again.code, 3);
+    EXPECT_NE(again.err.find("it is baked already"), std::string::npos) << again.err;
+    EXPECT_EQ(again.err.find("PNG"), std::string::npos);
+}
+
 } // namespace
 } // namespace franken::test

@@ -64,6 +64,39 @@ TEST_F(Viewer, CompilesBeforeTheFrameAndNothingInIt) {
     }
 }
 
+TEST_F(Viewer, RefusesWhatWouldDestroyItsInput) {
+    fs::copy_file(kUrn, m_folder / "urn.glb");
+    const std::string model = readText(m_folder / "urn.glb");
+    EXPECT_EQ(run("urn.glb -o urn.glb").code, 2);
+    EXPECT_EQ(run("urn.glb -o ./urn.glb --size 8x8").code, 2);
+    EXPECT_EQ(readText(m_folder / "urn.glb"), model);
+    std::ofstream(m_folder / "notes.txt") << "Buy milk.\n";
+    EXPECT_NE(run("urn.glb --size 8x8 --manifest notes.txt").code, 0);
+    EXPECT_EQ(readText(m_folder / "notes.txt"), "Buy milk.\n");
+}
+
+TEST_F(Viewer, ABackgroundIsWhatADisplayShows) {
+    for (const char* color : {"9,9,9", "0,1.01,0", "-1,0,0", "nan,0,0"})
+        EXPECT_EQ(run(std::string(kUrn) + " --background " + color).code, 2) << color;
+    EXPECT_EQ(run(std::string(kUrn) + " --size 8x8 --background 1,0,1").code, 0);
+}
+
+// What grows without end, hangs, or takes a gigabyte, is refused at once and in little memory.
+TEST_F(Viewer, AHeightMapIsAnOrdinaryFileOfModestSize) {
+    fs::create_directory(m_folder / "folder");
+    EXPECT_EQ(runIn(m_folder, "mkfifo pipe").code, 0);
+    std::ofstream(m_folder / "empty.png");
+    std::ofstream(m_folder / "large.png").seekp(80 << 20).put(0);
+    const bool device = runIn(m_folder, "mknod zero c 1 5 && head -c 1 zero >/dev/null").code == 0;
+    for (const std::string map : {"folder", "pipe", "zero", "empty.png", "large.png", "missing.png"}) {
+        if (map == "zero" && !device)
+            continue;
+        const Outcome outcome = runIn(m_folder, "timeout 20 " VIEWER " '" + std::string(kUrn) + "' --size 8x8 --height-map " + map);
+        EXPECT_EQ(outcome.code, 3) << map << outcome.err;
+        EXPECT_NE(outcome.err.find("viewer: error: "), std::string::npos) << map;
+    }
+}
+
 TEST_F(Viewer, AManifestGrowsByWhatItLacksAndIsWarmedUp) {
     const std::string urn = std::string(kUrn) + " --size 40x30 --stats ";
     const Outcome first = run(urn + "--manifest kiosk.txt");

@@ -56,6 +56,9 @@ std::vector<std::uint8_t> encodeBakedSky(const BakedSky& sky);
 /// version, cut short or too long, a size out of range, or a number that is not finite or below 0.
 Result<BakedSky> decodeBakedSky(std::span<const std::uint8_t> bytes);
 
+/// Whether a file begins as a baked sky does.
+bool isBakedSky(const std::filesystem::path& path);
+
 /// Loads a sky that was baked (then `options` mean nothing but the limits), or any that loadEnvironment()
 /// takes and bakes it now. Fails as loadEnvironment() and decodeBakedSky() do.
 Result<BakedSky> loadSky(const std::filesystem::path& path, const BakeOptions& options = {});

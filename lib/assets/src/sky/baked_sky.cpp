@@ -86,16 +86,6 @@ bool isBaked(std::span<const std::uint8_t> bytes) {
     return bytes.size() >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes.begin());
 }
 
-// Opening a pipe would wait for its writer.
-bool isBakedFile(const std::filesystem::path& path) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored))
-        return false;
-    std::array<std::uint8_t, kMagic.size()> head{};
-    std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(head.data()), head.size());
-    return isBaked(head);
-}
-
 void writeSun(Writer& writer, const std::optional<Sun>& sun) {
     const Sun none{.direction = {}, .color = {}};
     writer.number(sun ? 1 : 0);
@@ -117,6 +107,16 @@ std::optional<Sun> readSun(Reader& reader) {
 Error broken(std::string what) { return {"sky.baked", "", std::move(what), "bake the sky again"}; }
 
 } // namespace
+
+// Opening a pipe would wait for its writer.
+bool isBakedSky(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored))
+        return false;
+    std::array<std::uint8_t, kMagic.size()> head{};
+    std::ifstream(path, std::ios::binary).read(reinterpret_cast<char*>(head.data()), head.size());
+    return isBaked(head);
+}
 
 BakedSky bakeSky(Environment sky, const BakeOptions& options) {
     assert(options.backdropSize >= 0 && options.backdropSize <= kMaxSkyWidth / 4);
@@ -176,7 +176,7 @@ Result<BakedSky> decodeBakedSky(std::span<const std::uint8_t> bytes) {
 }
 
 Result<BakedSky> loadSky(const std::filesystem::path& path, const BakeOptions& options) {
-    if (!isBakedFile(path)) {
+    if (!isBakedSky(path)) {
         Result<Environment> sky = loadEnvironment(path, options.limits);
         if (!sky)
             return sky.error();
