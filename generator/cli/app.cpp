@@ -5,6 +5,7 @@
 #include "franken/nearest.h"
 #include "gpu.h"
 
+#include <algorithm>
 #include <charconv>
 
 namespace franken::cli {

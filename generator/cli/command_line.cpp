@@ -90,7 +90,9 @@ bool asksForJson(int argc, const char* const* argv) {
 ExitCode showHelp(const App& parsed) {
     const std::vector<std::string> commands = commandsOf(parsed.app);
     if (parsed.helpTopic.empty())
-        return std::cout << parsed.app.help(), ExitCode::Ok;
+        return std::cout << parsed.app.get_formatter()->make_help(&parsed.app, "frankenshader",
+                                                                  CLI::AppFormatMode::Normal),
+               ExitCode::Ok;
     if (std::find(commands.begin(), commands.end(), parsed.helpTopic) == commands.end()) {
         const std::string nearest = nearestOf(parsed.helpTopic, commands);
         throw CLI::ValidationError("help", "'" + parsed.helpTopic + "' is no command" +

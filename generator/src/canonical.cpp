@@ -39,21 +39,24 @@ Permutation reduce(Permutation permutation, Drop drop) {
 
 std::string reasonFor(const Permutation& p, const Choice& choice) {
     if (choice.name == "target")
-        return "no snippet of this program has a form of its own for that GPU";
+        return "this program is the same on all GPUs";
     if (p.program == Program::Sky)
         return "the sky has no material and is lit by nothing";
     if (p.program == Program::Overlay)
         return "an overlay is drawn as it is";
     if (p.view != View::Shaded)
-        return "the view of the material does not show it";
+        return "the view of the material does not show it; leave the 'view-' word out";
     if (p.shading == Shading::Unlit)
-        return "an unlit surface shows its base colour alone";
+        return "an unlit surface shows its base colour alone; leave 'unlit' out to see it";
     if (choice.name == "lightVectors")
         return p.punctualLights > 0 ? "punctual lights are lit per pixel, and suns beside them too"
                                     : "there is no sun";
     if (p.suns + p.punctualLights == 0)
-        return p.ambient == Ambient::None ? "there is nothing to light it"
-                                          : "there is no sun and no punctual light";
+        return p.ambient == Ambient::None
+                   ? "there is nothing to light it, so that it is drawn black; add 'sun1', 'ambient' or "
+                     "'sh', or "
+                     "'unlit'"
+                   : "there is no sun and no punctual light that would show it; add 'sun1'";
     return "no line of this program depends on it";
 }
 

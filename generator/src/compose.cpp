@@ -134,10 +134,10 @@ int reportedLine(std::string_view message) {
 
 } // namespace
 
-std::string toString(const LineOrigin& origin) {
+std::string toString(const LineOrigin& origin, std::string_view folder) {
     if (origin.snippet.empty())
         return {};
-    return "generator/glsl/" + std::string(origin.snippet) + ".glsl:" + std::to_string(origin.line);
+    return std::string(folder) + "/" + std::string(origin.snippet) + ".glsl:" + std::to_string(origin.line);
 }
 
 Composed compose(const Permutation& permutation, const SnippetSet& snippets) {
@@ -146,6 +146,7 @@ Composed compose(const Permutation& permutation, const SnippetSet& snippets) {
     composed.interface.varyings.reserve(8);
     composed.interface.uniforms.reserve(32);
     composed.interface.samplers.reserve(8);
+    composed.vertex.folder = composed.fragment.folder = snippets.parts().folder;
     composeStage(permutation, snippets, Stage::Vertex, composed.vertex, composed.interface);
     composeStage(permutation, snippets, Stage::Fragment, composed.fragment, composed.interface);
     return composed;
@@ -160,7 +161,7 @@ std::string annotateLog(std::string_view log, const ComposedStage& stage) {
         annotated += message;
         const auto line = static_cast<std::size_t>(reportedLine(message));
         if (line > 0 && line <= stage.lines.size() && !stage.lines[line - 1].snippet.empty())
-            annotated += " [" + toString(stage.lines[line - 1]) + "]";
+            annotated += " [" + toString(stage.lines[line - 1], stage.folder) + "]";
         annotated += '\n';
     }
     return annotated;

@@ -5,6 +5,8 @@
 #include "recipe.h"
 #include "snippet.h"
 
+#include <string>
+
 namespace franken {
 
 /// A snippet with its placeholders filled in: what one step of a plan adds to a program.
@@ -21,6 +23,7 @@ struct Part {
 /// Made once for a set, so that composing only copies.
 struct SnippetSet::Parts {
     std::vector<std::vector<Part>> rows; ///< By row, then by light, then by stream.
+    std::string folder;                  ///< Where they came from, as errors name it.
 };
 
 const Part& partOf(const SnippetSet& snippets, const Step& step);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "snippet.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/snippet_set.h"
 
+#include "franken/printable.h"
 #include "library.h"
 
 #include <algorithm>
@@ -74,7 +75,14 @@ Result<std::string> readText(const std::filesystem::path& path) {
     if (!file.eof() || text.empty())
         return Error{"snippet.file", path.string(), "cannot be read, is empty or is larger than 64 KiB",
                      "give a folder that is laid out as generator/glsl is"};
-    return text;
+    return std::string(withoutByteOrderMark(text));
+}
+
+// Whoever gave the folder finds the file by the name that he gave.
+Error inFolder(Error error, const std::filesystem::path& folder) {
+    if (error.where.starts_with(kSnippetFolder))
+        error.where = folder.string() + error.where.substr(kSnippetFolder.size());
+    return error;
 }
 
 } // namespace
@@ -82,6 +90,7 @@ Result<std::string> readText(const std::filesystem::path& path) {
 const SnippetSet& SnippetSet::builtIn() {
     static const SnippetSet set = [] {
         auto parts = std::make_shared<Parts>();
+        parts->folder = kSnippetFolder;
         for (std::uint8_t row = 0; row < recipe().size(); ++row)
             parts->rows.push_back(makeParts(row, builtInSnippets()[row]));
         return SnippetSet(std::move(parts));
@@ -91,6 +100,9 @@ const SnippetSet& SnippetSet::builtIn() {
 
 Result<SnippetSet> SnippetSet::read(const std::filesystem::path& folder) {
     auto parts = std::make_shared<Parts>();
+    parts->folder = folder.string();
+    while (parts->folder.size() > 1 && parts->folder.ends_with('/'))
+        parts->folder.pop_back();
     for (std::uint8_t row = 0; row < recipe().size(); ++row) {
         // Lines of programs go on naming their snippet when this text is gone: by the built-in file's name.
         const std::string_view name = builtInFile(recipe()[row]).name;
@@ -99,9 +111,9 @@ Result<SnippetSet> SnippetSet::read(const std::filesystem::path& folder) {
             return text.error();
         const Result<Snippet> snippet = parseSnippet({name, *text});
         if (!snippet)
-            return snippet.error();
+            return inFolder(snippet.error(), parts->folder);
         if (const Result<void> checked = checkInterface(*snippet, row); !checked)
-            return checked.error();
+            return inFolder(checked.error(), parts->folder);
         parts->rows.push_back(makeParts(row, *snippet));
     }
     return SnippetSet(std::move(parts));

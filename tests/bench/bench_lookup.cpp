@@ -6,6 +6,7 @@
 #include "ratio_reporter.h"
 #include "support/null_gl.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace {

@@ -173,7 +173,8 @@ void checkLineMap(const ComposedStage& stage, const std::string& folder) {
             continue;
         }
         EXPECT_TRUE(origin.snippet.starts_with(folder)) << origin.snippet;
-        const auto& file = snippetLines(std::string(origin.snippet));
+        const std::string snippet(origin.snippet); // g++ 14 takes a temporary here for what is returned.
+        const auto& file = snippetLines(snippet);
         const auto at = static_cast<std::size_t>(origin.line) - 1;
         ASSERT_LT(at, file.size()) << origin.snippet;
         ASSERT_TRUE(isInstanceOf(lines[i], file[at])) << lines[i] << "\nis not\n" << file[at];

@@ -4,6 +4,7 @@
 #include "franken/generator/choices.h"
 #include "franken/generator/covering.h"
 
+#include <algorithm>
 #include <random>
 #include <set>
 #include <sstream>

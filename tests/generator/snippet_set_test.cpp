@@ -62,7 +62,8 @@ TEST_F(SnippetSetTest, LinesNameTheirSnippetWhenTheSetIsGone) {
         stage = compose(permutation("sun1"), *set).fragment;
     }
     const std::string text = annotateLog("0:" + std::to_string(stage.lines.size() - 1) + "(1): error", stage);
-    EXPECT_NE(text.find("[generator/glsl/fragment/write_opaque.glsl:"), std::string::npos) << text;
+    EXPECT_NE(text.find("[" + (m_folder / "fragment/write_opaque.glsl:").string()), std::string::npos)
+        << text;
 }
 
 TEST_F(SnippetSetTest, ComposesOnManyThreadsAtOnce) {
@@ -84,7 +85,14 @@ TEST_F(SnippetSetTest, ComposesOnManyThreadsAtOnce) {
 TEST_F(SnippetSetTest, WhatBreaksTheContractIsRefusedWithFileAndLine) {
     write("fragment/dark.glsl", "// Dark.\n//! maine\n");
     EXPECT_EQ(failure().code, "snippet.syntax");
-    EXPECT_EQ(failure().where, "generator/glsl/fragment/dark.glsl:2");
+    EXPECT_EQ(failure().where, (m_folder / "fragment/dark.glsl:2").string());
+}
+
+TEST_F(SnippetSetTest, AByteOrderMarkBelongsToNoSnippet) {
+    write("fragment/dark.glsl", "\xEF\xBB\xBF" + read("fragment/dark.glsl"));
+    const Result<SnippetSet> set = SnippetSet::read(m_folder.string() + "/");
+    ASSERT_TRUE(set) << toString(set.error());
+    EXPECT_EQ(compose(permutation("sun1"), *set).fragment.text, compose(permutation("sun1")).fragment.text);
 }
 
 TEST_F(SnippetSetTest, WhatTheBuildCannotFeedIsRefused) {
@@ -99,7 +107,7 @@ TEST_F(SnippetSetTest, WhatTheBuildCannotFeedIsRefused) {
           Row{"uniform sampler2D uNoise; // frame: new", "uNoise"}, Row{"attribute vec3 aWind;", "aWind"}}) {
         write("fragment/dark.glsl", std::string("// Dark.\n//! declarations\n") + row.declaration + "\n");
         EXPECT_EQ(failure().code, "snippet.interface") << row.declaration;
-        EXPECT_EQ(failure().where, "generator/glsl/fragment/dark.glsl:3") << row.declaration;
+        EXPECT_EQ(failure().where, (m_folder / "fragment/dark.glsl:3").string()) << row.declaration;
         EXPECT_NE(failure().what.find(row.name), std::string::npos) << failure().what;
     }
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // From a material and its light to a permutation; no GL.
-#include "franken/program_uses.h"
 #include "franken/material.h"
+#include "franken/program_uses.h"
 #include "franken/viewpoint.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
 
 namespace franken::test {
 namespace {

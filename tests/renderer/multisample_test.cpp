@@ -8,6 +8,7 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cstdlib>
 #include <set>
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What is made of meshes and images before GL gets them.
-#include "gpu_mesh.h"
-#include "gpu_texture.h"
 #include "franken/mipmap.h"
 #include "franken/resample.h"
+#include "gpu_mesh.h"
+#include "gpu_texture.h"
 #include "support/shapes.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 

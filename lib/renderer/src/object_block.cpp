@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "object_block.h"
 
+#include <algorithm>
+
 namespace franken {
 namespace {
 

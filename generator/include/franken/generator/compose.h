@@ -18,14 +18,19 @@ struct LineOrigin {
     int line;                 ///< In generator/glsl/<snippet>.glsl, from 1.
 };
 
-/// "generator/glsl/fragment/gltf.glsl:12"; empty for a line that the composer wrote itself.
-std::string toString(const LineOrigin& origin);
+/// Where the snippets are that a build has in it, in FrankenShader's sources.
+inline constexpr std::string_view kSnippetFolder = "generator/glsl";
+
+/// "generator/glsl/fragment/gltf.glsl:12"; empty for a line that the composer wrote itself. Snippets of a
+/// SnippetSet of one's own are in `folder`.
+std::string toString(const LineOrigin& origin, std::string_view folder = kSnippetFolder);
 
 /// One shader, ready for glShaderSource, and the origin of each of its lines. Drivers misreport #line, so
 /// the text holds none: look an error's line up here.
 struct ComposedStage {
     std::string text;
-    std::vector<LineOrigin> lines; ///< lines[0] is line 1.
+    std::vector<LineOrigin> lines;      ///< lines[0] is line 1.
+    std::string folder{kSnippetFolder}; ///< Where the snippets came from, as errors name it.
 };
 
 struct Composed {
