@@ -69,7 +69,7 @@ protected:
     void SetUp() override {
         const fs::path file = kShared / "assets" / "env" / GetParam();
         if (!fs::exists(file))
-            GTEST_SKIP() << file << " is not there";
+            GTEST_SKIP() << "needs " << file << " beside the sources";
         auto loaded = test::loadExposed(file);
         ASSERT_TRUE(loaded);
         sky = std::move(*loaded);
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Skies, LitBySky, testing::Values("venice.hdr", "sunset.
 TEST(SpecularSky, SpheresMatchTheReference) {
     const fs::path folder = kShared / "reference" / "sky";
     if (!fs::exists(folder))
-        GTEST_SKIP() << folder << " is not there";
+        GTEST_SKIP() << "needs " << folder << " beside the sources";
     const auto environment = loadEnvironment(kShared / "assets" / "env" / "venice.hdr");
     ASSERT_TRUE(environment);
     const ReflectionMaps sky{filterSpecular(*environment), specularLookup()};

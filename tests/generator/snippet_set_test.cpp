@@ -5,6 +5,8 @@
 
 #include <thread>
 
+#include <sys/stat.h>
+
 namespace fs = std::filesystem;
 
 namespace franken {
@@ -117,6 +119,12 @@ TEST_F(SnippetSetTest, AFileThatIsMissingOrHugeOrEmptyIsRefused) {
     EXPECT_EQ(failure().code, "snippet.file");
     write("fragment/dark.glsl", "");
     EXPECT_EQ(failure().code, "snippet.file");
+    fs::remove(m_folder / "fragment/dark.glsl");
+    fs::create_directory(m_folder / "fragment/dark.glsl");
+    EXPECT_EQ(failure().code, "snippet.file");
+    fs::remove(m_folder / "fragment/dark.glsl");
+    ASSERT_EQ(mkfifo((m_folder / "fragment/dark.glsl").c_str(), 0600), 0);
+    EXPECT_EQ(failure().code, "snippet.file") << "a pipe is not waited for";
     fs::remove(m_folder / "fragment/dark.glsl");
     EXPECT_EQ(failure().code, "snippet.file");
     EXPECT_EQ(failure().where, (m_folder / "fragment/dark.glsl").string());
