@@ -63,6 +63,13 @@ glm::vec3 equirectDirection(int width, int x, int y) {
     return {ring * std::sin(azimuth), std::cos(polar), -ring * std::cos(azimuth)};
 }
 
+glm::vec3 faceTexelDirection(int size, int face, int x, int y) {
+    const float s = (2 * static_cast<float>(x) + 1) / static_cast<float>(size) - 1;
+    const float t = (2 * static_cast<float>(y) + 1) / static_cast<float>(size) - 1;
+    const glm::vec3 faces[] = {{1, -t, -s}, {-1, -t, s}, {s, 1, t}, {s, -1, -t}, {s, -t, 1}, {-s, -t, -1}};
+    return glm::normalize(faces[face]);
+}
+
 void expose(Environment& sky, float mean) {
     double light = 0, area = 0;
     for (int y = 0; y < sky.height; ++y)

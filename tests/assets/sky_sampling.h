@@ -19,6 +19,9 @@ std::vector<glm::vec3> directions(int count);
 /// The direction of a texel's centre in a picture that is twice as wide as high.
 glm::vec3 equirectDirection(int width, int x, int y);
 
+/// The unit direction of a texel's centre in a face of a cube map (OpenGL ES 2.0, table 3.21).
+glm::vec3 faceTexelDirection(int size, int face, int x, int y);
+
 /// Scales an equirectangular sky so that its mean luminance over the sphere is `mean`.
 void expose(Environment& sky, float mean);
 

@@ -98,8 +98,12 @@ struct SkyCube {
 /// The least range that a SkyCube gets, so that skies of one scene differ little in precision.
 inline constexpr float kMinSkyRange = 64;
 
+/// The largest one, in means of the sky over all directions: 8 bits hold the rest of the sky without steps up
+/// to there. A surface that reflects a fortieth of that, and any sky behind the scene, is white all the same.
+inline constexpr float kMaxSkyContrast = 1024;
+
 /// Resamples the sky to a cube of that size (1 to kMaxSkyWidth / 4), each texel the mean over its area, and
-/// encodes it. The range is the brightest texel's, or kMinSkyRange if that is more.
+/// encodes it. The range is the brightest texel's, within the two bounds above; brighter texels are cut to it.
 SkyCube encodeSkyCube(const Environment& sky, int size);
 
 } // namespace franken

@@ -28,9 +28,9 @@ inline constexpr int kSpecularSize = 256;
 inline constexpr int kMinSpecularSize = 256;
 inline constexpr int kMaxSpecularSize = 1024;
 
-/// The sky through lobes of rising width (kSpecularLevels of them, in pack.h), as one picture for a 2D
-/// texture with linear filter, clamped to its edge and without mipmaps. Its texels are encoded as those of
-/// SkyCube.
+/// The sky through lobes of rising width (kSpecularLevels of them, in pack.h): sums over all of its texels, so
+/// that no sky leaves spots. One picture for a 2D texture with linear filter, clamped to its edge and without
+/// mipmaps. Its texels are encoded as those of SkyCube.
 ///
 /// A direction d belongs to the square of the upper half (d.y >= 0) or to that of the lower half beside it,
 /// at the point (d.x, d.z) / (max(|d.x|, |d.z|) + |d.y|), each from -1 to 1, times kSpecularScale. The
@@ -52,7 +52,7 @@ int specularHeight(int size);
 inline constexpr float kSpecularScale = 7.0f / 8.0f;
 
 /// Filters the sky. size: kMinSpecularSize to kMaxSpecularSize; a Pi 3 holds up to 512. A size of 256 takes
-/// about five seconds on two cores of a desktop; it runs on all, and the result is the same on any number.
+/// about three seconds on two cores of a desktop; it runs on all, and the result is the same on any number.
 SpecularAtlas filterSpecular(const Environment& sky, int size = kSpecularSize, const Progress& progress = {});
 
 inline constexpr int kLookupWidth = 128;
@@ -70,9 +70,5 @@ struct ReflectionMaps {
     SpecularAtlas atlas;
     Image lookup;
 };
-
-/// The sky as a rough mirror that faces the eye shows it: a picture of the given layout and width (of a face
-/// for Layout::Cube), for programs that want levels of their own. roughness: 0.01 to 1.
-Environment filterSky(const Environment& sky, float roughness, Environment::Layout layout, int width);
 
 } // namespace franken

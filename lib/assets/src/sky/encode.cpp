@@ -3,6 +3,7 @@
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -45,10 +46,15 @@ glm::vec3 meanRadiance(const Environment& sky, int face, const glm::ivec2& texel
 
 std::uint8_t toCode(float value) { return static_cast<std::uint8_t>(std::clamp(value, 0.0f, 255.0f)); }
 
-/// Alpha is rounded up, so that RGB fits below it.
+/// From one code of alpha to the next, what is filtered between two texels may err by a quarter of the square
+/// of 1 / alpha: from here on nobody sees that. Darker texels share this alpha and go by RGB alone.
+constexpr float kLeastAlpha = 16;
+
+/// Alpha is rounded up, so that RGB fits below it. What exceeds the range is white.
 void appendRgbm(std::vector<std::uint8_t>& rgba, const glm::vec3& radiance, float range) {
-    const glm::vec3 root = glm::sqrt(radiance / range);
-    const float alpha = std::ceil(255.0f * std::max({root.r, root.g, root.b, 1e-6f}));
+    const float most = std::max({radiance.r, radiance.g, radiance.b, range});
+    const glm::vec3 root = glm::sqrt(radiance / most);
+    const float alpha = std::max(std::ceil(255.0f * std::max({root.r, root.g, root.b})), kLeastAlpha);
     const glm::vec3 rgb = root * (255.0f * 255.0f / alpha) + 0.5f;
     rgba.insert(rgba.end(), {toCode(rgb.r), toCode(rgb.g), toCode(rgb.b), toCode(alpha)});
 }
@@ -57,16 +63,12 @@ void appendRgbm(std::vector<std::uint8_t>& rgba, const glm::vec3& radiance, floa
 
 SkyCoefficients skyCoefficients(const Environment& sky) {
     std::array<glm::dvec3, 9> sums{};
-    for (int y = 0; y < sky.height; ++y)
-        for (int x = 0; x < sky.width; ++x) {
-            const glm::dvec3 direction =
-                texelDirection(sky, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-            const glm::dvec3 light = glm::dvec3(sky.texels[static_cast<std::size_t>(y) * sky.width + x]) *
-                                     texelSolidAngle(sky, x, y);
-            const std::array<double, 9> basis = harmonics(direction);
-            for (std::size_t i = 0; i < sums.size(); ++i)
-                sums[i] += light * basis[i];
-        }
+    forEachPart(sky, 1, [&](const glm::vec2& point, const glm::vec3& direction, double solidAngle) {
+        const glm::dvec3 light = glm::dvec3(radianceAt(sky, point)) * solidAngle;
+        const std::array<double, 9> basis = harmonics(direction);
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            sums[i] += light * basis[i];
+    });
     SkyCoefficients coefficients{};
     for (std::size_t i = 0; i < sums.size(); ++i)
         coefficients[i] = {static_cast<float>(sums[i].r), static_cast<float>(sums[i].g),
@@ -84,11 +86,12 @@ Environment resampledToCube(const Environment& sky, int size) {
     return cube;
 }
 
-float rangeOf(std::span<const glm::vec3> texels) {
-    float range = kMinSkyRange;
+float rangeOf(std::span<const glm::vec3> texels, const glm::vec3& mean) {
+    float range = 0;
     for (const glm::vec3& texel : texels)
         range = std::max({range, texel.r, texel.g, texel.b});
-    return range;
+    const float most = kMaxSkyContrast * std::max({mean.r, mean.g, mean.b});
+    return std::max(std::min(range, most), kMinSkyRange);
 }
 
 Image encodeRgbm(std::span<const glm::vec3> texels, int width, int height, float range) {
@@ -102,7 +105,9 @@ Image encodeRgbm(std::span<const glm::vec3> texels, int width, int height, float
 SkyCube encodeSkyCube(const Environment& sky, int size) {
     assert(size >= 1 && size <= kMaxSkyWidth / 4);
     const Environment linear = resampledToCube(sky, size);
-    SkyCube cube{size, rangeOf(linear.texels), {}};
+    const glm::vec3 mean = std::accumulate(linear.texels.begin(), linear.texels.end(), glm::vec3(0)) /
+                           static_cast<float>(linear.texels.size());
+    SkyCube cube{size, rangeOf(linear.texels, mean), {}};
     const std::size_t face = linear.texels.size() / 6;
     for (std::size_t i = 0; i < 6; ++i)
         cube.images[i] = encodeRgbm(std::span(linear.texels).subspan(i * face, face), size, size, cube.range);

@@ -66,6 +66,52 @@ glm::vec3 bilinear(const glm::vec2& point, const Texel& texel) {
 /// The solid angle between the centre of a face and a point in it, seen from the cube's centre.
 double cornerSolidAngle(double s, double t) { return std::atan2(s * t, std::sqrt(s * s + t * t + 1.0)); }
 
+void visitEquirect(const Environment& sky, int parts, const VisitPart& visit) {
+    const int width = sky.width * parts, height = sky.height * parts;
+    const float part = 1.0f / static_cast<float>(parts);
+    std::vector<glm::vec2> columns; // x and z on the horizon
+    for (int x = 0; x < width; ++x) {
+        const double azimuth = ((x + 0.5) / width - 0.5) * 2.0 * std::numbers::pi;
+        columns.emplace_back(std::sin(azimuth), -std::cos(azimuth));
+    }
+    const double step = std::numbers::pi / height;
+    for (int y = 0; y < height; ++y) {
+        const double solidAngle =
+            (std::cos(y * step) - std::cos((y + 1) * step)) * 2.0 * std::numbers::pi / width;
+        const float ring = static_cast<float>(std::sin((y + 0.5) * step));
+        const float up = static_cast<float>(std::cos((y + 0.5) * step));
+        for (int x = 0; x < width; ++x) {
+            const glm::vec2 around = ring * columns[static_cast<std::size_t>(x)];
+            visit((glm::vec2(x, y) + 0.5f) * part, {around.x, up, around.y}, solidAngle);
+        }
+    }
+}
+
+void visitCube(const Environment& sky, int parts, const VisitPart& visit) {
+    const int size = sky.width * parts;
+    const double step = 2.0 / size;
+    const float part = 1.0f / static_cast<float>(parts);
+    std::vector<double> above(static_cast<std::size_t>(size) + 1), below = above; // solid angles to corners
+    const auto fill = [&](std::vector<double>& corners, int y) {
+        for (int x = 0; x <= size; ++x)
+            corners[static_cast<std::size_t>(x)] = cornerSolidAngle(x * step - 1.0, y * step - 1.0);
+    };
+    fill(below, 0);
+    for (int y = 0; y < size; ++y) {
+        above.swap(below);
+        fill(below, y + 1);
+        for (int x = 0; x < size; ++x) {
+            const std::size_t i = static_cast<std::size_t>(x);
+            const double solidAngle = above[i] - above[i + 1] - below[i] + below[i + 1];
+            const glm::vec2 point = glm::vec2(x, y) + 0.5f;
+            for (int face = 0; face < 6; ++face)
+                visit(point * part + glm::vec2(0, face * sky.width),
+                      glm::normalize(faceDirection(face, point * static_cast<float>(step) - 1.0f)),
+                      solidAngle);
+        }
+    }
+}
+
 } // namespace
 
 glm::vec3 faceDirection(int face, const glm::vec2& st) {
@@ -81,29 +127,16 @@ FacePoint facePoint(const glm::vec3& direction) {
     return {face, glm::vec2(glm::dot(direction, axes.right), glm::dot(direction, axes.down)) / size[axis]};
 }
 
-glm::vec3 texelDirection(const Environment& sky, float x, float y) {
-    const float width = static_cast<float>(sky.width);
-    if (sky.layout == Environment::Layout::Cube) {
-        const int face = std::min(static_cast<int>(y / width), 5);
-        const glm::vec2 point(x, y - static_cast<float>(face) * width);
-        return glm::normalize(faceDirection(face, point * (2.0f / width) - 1.0f));
-    }
-    const float azimuth = (x / width - 0.5f) * 2.0f * kPi;
-    const float polar = y / static_cast<float>(sky.height) * kPi;
-    const float ring = std::sin(polar);
-    return {ring * std::sin(azimuth), std::cos(polar), -ring * std::cos(azimuth)};
+void forEachPart(const Environment& sky, int parts, const VisitPart& visit) {
+    sky.layout == Environment::Layout::Cube ? visitCube(sky, parts, visit) : visitEquirect(sky, parts, visit);
 }
 
-double texelSolidAngle(const Environment& sky, int x, int y) {
-    if (sky.layout == Environment::Layout::Cube) {
-        const double step = 2.0 / sky.width;
-        const double s0 = x * step - 1.0, s1 = s0 + step;
-        const double t0 = (y % sky.width) * step - 1.0, t1 = t0 + step;
-        return cornerSolidAngle(s0, t0) - cornerSolidAngle(s1, t0) - cornerSolidAngle(s0, t1) +
-               cornerSolidAngle(s1, t1);
-    }
-    const double step = std::numbers::pi / sky.height;
-    return (std::cos(y * step) - std::cos((y + 1) * step)) * 2.0 * std::numbers::pi / sky.width;
+glm::vec3 radianceAt(const Environment& sky, const glm::vec2& point) {
+    if (sky.layout == Environment::Layout::Equirect)
+        return bilinear(point, [&](int x, int y) { return equirectTexel(sky, x, y); });
+    const int face = std::min(static_cast<int>(point.y) / sky.width, 5);
+    return bilinear(point - glm::vec2(0, face * sky.width),
+                    [&](int x, int y) { return cubeTexel(sky, face, x, y); });
 }
 
 glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction) {
@@ -116,8 +149,7 @@ glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction) {
     const glm::vec3 d = glm::normalize(direction);
     const float u = 0.5f + std::atan2(d.x, -d.z) / (2.0f * kPi);
     const float v = std::acos(glm::clamp(d.y, -1.0f, 1.0f)) / kPi;
-    return bilinear(glm::vec2(u * static_cast<float>(sky.width), v * static_cast<float>(sky.height)),
-                    [&](int x, int y) { return equirectTexel(sky, x, y); });
+    return radianceAt(sky, {u * static_cast<float>(sky.width), v * static_cast<float>(sky.height)});
 }
 
 } // namespace franken

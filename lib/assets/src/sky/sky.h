@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -29,17 +30,21 @@ glm::vec3 faceDirection(int face, const glm::vec2& st);
 /// Where a direction (any length but 0) leaves the cube.
 FacePoint facePoint(const glm::vec3& direction);
 
-/// The unit direction of a point in the sky's picture. x, y: texels; centres are at halves.
-glm::vec3 texelDirection(const Environment& sky, float x, float y);
+/// Radiance at a point of the sky's picture, between its four nearest texels. point: texels; their centres
+/// are at halves.
+glm::vec3 radianceAt(const Environment& sky, const glm::vec2& point);
 
-/// The solid angle of a texel, sr. All together make 4 pi.
-double texelSolidAngle(const Environment& sky, int x, int y);
+/// Of a part of the sky: the middle in its picture (texels), the unit direction and the solid angle (sr).
+using VisitPart = std::function<void(const glm::vec2& point, const glm::vec3& direction, double solidAngle)>;
+
+/// Visits all texels, each cut into `parts` times `parts`. Their solid angles make 4 pi.
+void forEachPart(const Environment& sky, int parts, const VisitPart& visit);
 
 /// The sky as a cube, each texel the mean over its area.
 Environment resampledToCube(const Environment& sky, int size);
 
-/// The range of an encoding of these texels: the largest channel, or kMinSkyRange if that is more.
-float rangeOf(std::span<const glm::vec3> texels);
+/// The range of an encoding of these texels of a sky with that mean radiance, as SkyCube says.
+float rangeOf(std::span<const glm::vec3> texels, const glm::vec3& mean);
 
 /// Encodes texels as SkyCube says.
 Image encodeRgbm(std::span<const glm::vec3> texels, int width, int height, float range);

@@ -19,22 +19,19 @@ struct Brightest {
     glm::vec3 direction{0, 1, 0};
 };
 
-/// Calls visit(texel, unit direction, solid angle) for all texels.
-template<typename Texels, typename Visit>
-void forEachTexel(const Environment& sky, Texels& texels, const Visit& visit) {
-    for (int y = 0; y < sky.height; ++y)
-        for (int x = 0; x < sky.width; ++x)
-            visit(texels[static_cast<std::size_t>(y) * sky.width + x],
-                  texelDirection(sky, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f),
-                  texelSolidAngle(sky, x, y));
+/// The index of the texel that a point lies in.
+std::size_t texelIndex(const Environment& sky, const glm::vec2& point) {
+    return static_cast<std::size_t>(point.y) * static_cast<std::size_t>(sky.width) +
+           static_cast<std::size_t>(point.x);
 }
 
 Brightest findBrightest(const Environment& sky) {
     Brightest found;
-    forEachTexel(sky, sky.texels, [&](const glm::vec3& texel, const glm::vec3& direction, double solidAngle) {
-        found.mean += brightness(texel) * solidAngle / (4 * std::numbers::pi);
-        if (brightness(texel) > found.peak) {
-            found.peak = brightness(texel);
+    forEachPart(sky, 1, [&](const glm::vec2& point, const glm::vec3& direction, double solidAngle) {
+        const float bright = brightness(sky.texels[texelIndex(sky, point)]);
+        found.mean += bright * solidAngle / (4 * std::numbers::pi);
+        if (bright > found.peak) {
+            found.peak = bright;
             found.direction = direction;
         }
     });
@@ -50,7 +47,8 @@ std::optional<Sun> takeSun(Environment& sky) {
         return std::nullopt;
 
     glm::dvec3 irradiance(0), middle(0);
-    forEachTexel(sky, sky.texels, [&](glm::vec3& texel, const glm::vec3& direction, double solidAngle) {
+    forEachPart(sky, 1, [&](const glm::vec2& point, const glm::vec3& direction, double solidAngle) {
+        glm::vec3& texel = sky.texels[texelIndex(sky, point)];
         if (brightness(texel) <= limit || glm::dot(direction, brightest.direction) < kCosReach)
             return;
         const glm::vec3 kept = texel * (limit / brightness(texel));
