@@ -63,8 +63,8 @@ const std::vector<SkyMaterial>& skyMaterials() {
     return materials;
 }
 
-glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
-                            const SkyMaterial& material) {
+glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const glm::vec3& v,
+                            float roughness, const SkyMaterial& material) {
     const float nDotV = std::max(glm::dot(n, v), 1e-4f);
     const glm::vec4 look = sample(sky.lookup, {nDotV, roughness});
     const float bend = specularBend(roughness, material.metallic);

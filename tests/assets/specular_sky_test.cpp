@@ -186,7 +186,8 @@ class ReferenceSky : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Skies, ReferenceSky, testing::Values("softbox", "half", "studio", "sunset"));
 
 /// Metals are half as far off as the split sum, or 2.5 codes. At roughness 0.2 no one lookup of a round lobe
-/// comes so close where lamps have edges (generator/README.md): there it is closer than the split sum, and no more.
+/// comes so close where lamps have edges (generator/README.md): there it is closer than the split sum, and no
+/// more.
 TEST_P(ReferenceSky, SpheresMatchTheTruth) {
     const fs::path folder = kShared / "reference" / "skies";
     if (!fs::exists(folder))
@@ -194,7 +195,7 @@ TEST_P(ReferenceSky, SpheresMatchTheTruth) {
     const std::string name = GetParam();
     const auto environment = loadEnvironment(folder / (name + ".hdr"));
     ASSERT_TRUE(environment);
-    const SkyMirror sky{filterSpecular(*environment), specularLookup()};
+    const ReflectionMaps sky{filterSpecular(*environment), specularLookup()};
     for (const std::string file :
          {"metal_r0.2", "metal_r0.6", "metal_r1.0", "dielectric_r0.2", "dielectric_r0.6"}) {
         const float roughness = std::stof(file.substr(file.size() - 3));

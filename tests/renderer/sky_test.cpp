@@ -123,14 +123,14 @@ protected:
     static bool inside(int x, int y) { return facesCamera(4 * x + 2, 4 * y + 2); }
 
     Difference differenceOf(const Sky& sky, const std::string& name, const std::string& material,
-                            SkySpecular specular) {
+                            Reflection specular) {
         Shot shot = shotOf(findShared("reference/spheres/sky_" + material + ".gltf"));
         lightBy(sky, shot);
-        shot.lighting.skySpecular = specular;
+        shot.lighting.reflection = specular;
         const Picture actual = draw(shot);
         const Picture expected = readPicture(findShared("reference/skies/" + name + "." + material + ".png"));
         const Difference difference = compare(actual, expected, inside);
-        std::cout << name << "." << material << (specular == SkySpecular::None ? " (sh)" : "") << ": "
+        std::cout << name << "." << material << (specular == Reflection::None ? " (sh)" : "") << ": "
                   << difference << "\n";
         EXPECT_GT(difference.pixels, 1'000u);
         return difference;
@@ -140,27 +140,30 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Backends, HardSkySpheres, allBackends(), backendName);
 
 /// Metals: half of the plain split sum, which sky_data_test computes and prints, or 2.5 codes. At roughness
-/// 0.2 one lookup of a round lobe is only closer than the split sum where lamps have edges.
+/// 0.2 one lookup of a round lobe is only closer than the split sum where lamps have edges. The file of the
+/// Lambert sphere is a dielectric, which reflects a little and scatters 0.96 of its base: the rest up to 1.5.
+/// A dark half under a lamp is what nine coefficients show worst.
 TEST_P(HardSkySpheres, AreAsTheyShouldBe) {
     struct Row {
         const char* sky;
+        double coefficients;
         double metals[3]; ///< Roughness 0.2, 0.6 and 1: the most codes.
     };
-    for (const Row& row : {Row{"softbox", {4.2, 6.6, 8}}, Row{"half", {2.5, 4.6, 5.9}},
-                           Row{"studio", {6.4, 8.5, 9.6}}, Row{"sunset", {2.5, 5, 7.2}}}) {
+    for (const Row& row : {Row{"softbox", 5.5, {4.2, 6.6, 8}}, Row{"half", 5, {2.5, 4.6, 5.9}},
+                           Row{"studio", 17.5, {6.4, 8.5, 9.6}}, Row{"sunset", 5, {2.5, 5, 7.2}}}) {
         const std::filesystem::path file = findShared("reference/skies/" + std::string(row.sky) + ".hdr");
         if (file.empty())
             GTEST_SKIP() << "needs ../shared/reference/skies beside the sources";
         const auto loaded = loadEnvironment(file);
         ASSERT_TRUE(loaded);
         const Sky sky{skyCoefficients(*loaded), {filterSpecular(*loaded), specularLookup()}};
-        EXPECT_LE(differenceOf(sky, row.sky, "lambert0.8", SkySpecular::Lookup).mean, 1);
-        EXPECT_LE(differenceOf(sky, row.sky, "lambert0.8", SkySpecular::None).mean, 5);
+        EXPECT_LE(differenceOf(sky, row.sky, "lambert0.8", Reflection::Lookup).mean, 1.5);
+        EXPECT_LE(differenceOf(sky, row.sky, "lambert0.8", Reflection::None).mean, row.coefficients);
         for (const char* dielectric : {"dielectric_r0.2", "dielectric_r0.6"})
-            EXPECT_LE(differenceOf(sky, row.sky, dielectric, SkySpecular::Lookup).mean, 2.5);
+            EXPECT_LE(differenceOf(sky, row.sky, dielectric, Reflection::Lookup).mean, 2.5);
         const char* const metals[] = {"metal_r0.2", "metal_r0.6", "metal_r1.0"};
         for (int i = 0; i < 3; ++i)
-            EXPECT_LE(differenceOf(sky, row.sky, metals[i], SkySpecular::Lookup).mean, row.metals[i]);
+            EXPECT_LE(differenceOf(sky, row.sky, metals[i], Reflection::Lookup).mean, row.metals[i]);
     }
 }
 
