@@ -53,6 +53,6 @@ FileTimes inputTimes(const Options& options) {
     if (!options.heightMap.empty())
         addFile(times, options.heightMap);
     if (!options.snippets.empty())
-        addFolder(times, options.snippets, 1, {".glsl"}, options);
+        addFolder(times, options.snippets, 2, {".glsl"}, options);
     return times;
 }

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # cmake -DGLSL_DIR=... -DOUT=... -P embed.cmake: writes a C++ file that holds all snippets.
-file(GLOB files RELATIVE ${GLSL_DIR} ${GLSL_DIR}/vertex/*.glsl ${GLSL_DIR}/fragment/*.glsl)
+file(GLOB_RECURSE files RELATIVE ${GLSL_DIR} ${GLSL_DIR}/*.glsl)
 list(SORT files)
 set(rows "")
 foreach(file IN LISTS files)

@@ -28,17 +28,9 @@ public:
     }
     void own(std::string_view line) { own({line}); }
 
-    void section(const std::vector<const Part*>& parts, Part::Section Part::*which,
-                 std::optional<std::string_view> before = std::nullopt) {
-        for (const Part* part : parts) {
-            const Part::Section& section = part->*which;
-            if (section.lines.empty())
-                continue;
-            if (before)
-                own(*before);
-            m_stage.text.append(section.text);
-            m_stage.lines.insert(m_stage.lines.end(), section.lines.begin(), section.lines.end());
-        }
+    void section(const Part::Section& section) {
+        m_stage.text.append(section.text);
+        m_stage.lines.insert(m_stage.lines.end(), section.lines.begin(), section.lines.end());
     }
 
 private:
@@ -71,14 +63,59 @@ void writeFragmentFlags(Writer& writer, const Permutation& permutation) {
 void writeHeader(Writer& writer, const Permutation& permutation, Stage stage,
                  const std::vector<Step>& steps) {
     writer.own("#version 100");
-    writer.own("// FrankenShader");
-    if (stage == Stage::Vertex)
+    if (stage == Stage::Vertex) {
+        writer.own("// FrankenShader");
         writeVertexFlags(writer, steps);
-    else
-        writeFragmentFlags(writer, fragmentChoices(permutation));
+    } else {
+        const Permutation choices = fragmentChoices(permutation);
+        writer.own({"// FrankenShader ", toName(choices)});
+        writeFragmentFlags(writer, choices);
+    }
     writer.own("//");
     writer.own(stage == Stage::Vertex ? "// VERTEX SHADER" : "// FRAGMENT SHADER");
     writer.own("//");
+}
+
+bool isUniform(Group group) { return group >= Group::FrameUniforms && group <= Group::ObjectUniforms; }
+
+// Attributes, varyings, uniforms block by block, samplers; a blank line between the kinds.
+void writeDeclarations(Writer& writer, const std::vector<const Part*>& parts) {
+    std::optional<Group> before;
+    for (std::size_t i = 0; i < kGroups; ++i)
+        for (const Part* part : parts) {
+            if (part->declarations[i].lines.empty())
+                continue;
+            const auto group = static_cast<Group>(i);
+            if (before && *before != group && !(isUniform(*before) && isUniform(group)))
+                writer.own("");
+            before = group;
+            writer.section(part->declarations[i]);
+        }
+}
+
+void writeFunctions(Writer& writer, const std::vector<const Part*>& parts) {
+    for (const Part* part : parts)
+        if (!part->functions.lines.empty()) {
+            writer.own("");
+            writer.section(part->functions);
+        }
+}
+
+// A blank line wherever another concern begins.
+void writeMain(Writer& writer, const std::vector<const Part*>& parts, const std::vector<Step>& steps) {
+    writer.own("");
+    writer.own("void main() {");
+    std::string_view concern;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i]->main.lines.empty())
+            continue;
+        const std::string_view next = concernOf(recipe()[steps[i].row]);
+        if (!concern.empty() && next != concern)
+            writer.own("");
+        concern = next;
+        writer.section(parts[i]->main);
+    }
+    writer.own("}");
 }
 
 void addUniform(Interface& interface, const Uniform& uniform) {
@@ -108,12 +145,9 @@ void composeStage(const Permutation& permutation, const SnippetSet& snippets, St
         parts.push_back(&partOf(snippets, step));
     Writer writer(out);
     writeHeader(writer, permutation, stage, steps);
-    writer.section(parts, &Part::declarations);
-    writer.section(parts, &Part::functions, "");
-    writer.own("");
-    writer.own("void main() {");
-    writer.section(parts, &Part::main);
-    writer.own("}");
+    writeDeclarations(writer, parts);
+    writeFunctions(writer, parts);
+    writeMain(writer, parts, steps);
     for (const Part* part : parts)
         addInterface(interface, part->interface);
 }

@@ -44,11 +44,52 @@ void addDeclaration(Interface& interface, const Declaration& declaration, const 
             {name, declaration.type, declaration.count, declaration.block, vertex, !vertex});
 }
 
+Group groupOf(const Declaration& declaration) {
+    if (declaration.kind == Declaration::Kind::Attribute)
+        return Group::Attributes;
+    if (declaration.kind == Declaration::Kind::Varying)
+        return Group::Varyings;
+    if (componentCount(declaration.type) == 0)
+        return Group::Samplers;
+    switch (declaration.block) {
+    case Block::Frame:
+        return Group::FrameUniforms;
+    case Block::Lights:
+        return Group::LightsUniforms;
+    case Block::Material:
+        return Group::MaterialUniforms;
+    case Block::Object:
+        break;
+    }
+    return Group::ObjectUniforms;
+}
+
+// Lines that declare nothing are about precision.
+Group groupOfLine(const Snippet& snippet, int line) {
+    for (const Declaration& declaration : snippet.interface)
+        if (declaration.line == line)
+            return groupOf(declaration);
+    return Group::Precision;
+}
+
+Part::Section filled(const Section& from, const Step& step) { return {fill(from.pieces, step), from.lines}; }
+
+std::array<Part::Section, kGroups> grouped(const Snippet& snippet, const Step& step) {
+    std::array<Part::Section, kGroups> groups;
+    const Part::Section all = filled(snippet.declarations, step);
+    std::string_view text = all.text;
+    for (const LineOrigin& origin : all.lines) {
+        const std::size_t end = text.find('\n') + 1;
+        Part::Section& group = groups[static_cast<std::size_t>(groupOfLine(snippet, origin.line))];
+        group.text.append(text.substr(0, end));
+        group.lines.push_back(origin);
+        text.remove_prefix(end);
+    }
+    return groups;
+}
+
 Part makePart(const Snippet& snippet, const Step& step) {
-    const auto section = [&](const Section& from) {
-        return Part::Section{fill(from.pieces, step), from.lines};
-    };
-    Part part{section(snippet.declarations), section(snippet.functions), section(snippet.main), {}};
+    Part part{grouped(snippet, step), filled(snippet.functions, step), filled(snippet.main, step), {}};
     for (const Declaration& declaration : snippet.interface)
         addDeclaration(part.interface, declaration, step);
     return part;
@@ -60,6 +101,10 @@ std::size_t streamCount(const Row& row) { return row.uv ? 2 : 1; }
 
 std::string snippetName(const Row& row) {
     return (row.stage == Stage::Vertex ? "vertex/" : "fragment/") + std::string(row.snippet);
+}
+
+std::string_view concernOf(const Row& row) {
+    return row.snippet.substr(0, row.snippet.find('/'));
 }
 
 std::string declaredName(const Declaration& declaration, const Step& step) {

@@ -5,9 +5,23 @@
 #include "recipe.h"
 #include "snippet.h"
 
+#include <array>
 #include <string>
 
 namespace franken {
+
+/// What stands together in a program's declarations, in this order. Uniforms stand in the order of their blocks.
+enum class Group : std::uint8_t {
+    Precision,
+    Attributes,
+    Varyings,
+    FrameUniforms,
+    LightsUniforms,
+    MaterialUniforms,
+    ObjectUniforms,
+    Samplers,
+};
+inline constexpr std::size_t kGroups = 8;
 
 /// A snippet with its placeholders filled in: what one step of a plan adds to a program.
 struct Part {
@@ -16,7 +30,8 @@ struct Part {
         std::vector<LineOrigin> lines;
     };
 
-    Section declarations, functions, main;
+    std::array<Section, kGroups> declarations; ///< By group.
+    Section functions, main;
     Interface interface; ///< What the declarations declare; varyings in the vertex stage only.
 };
 
@@ -28,8 +43,11 @@ struct SnippetSet::Parts {
 
 const Part& partOf(const SnippetSet& snippets, const Step& step);
 
-/// What a row's snippet is called: "fragment/gltf".
+/// What a row's snippet is called: "fragment/brdf/ggx".
 std::string snippetName(const Row& row);
+
+/// What a row's lines of main are about: the folder of its snippet, "lights" of "lights/sun".
+std::string_view concernOf(const Row& row);
 
 /// A declaration's name with its placeholders filled in: "uSun0Direction".
 std::string declaredName(const Declaration& declaration, const Step& step);

@@ -13,7 +13,7 @@ namespace franken {
 
 /// A file of GLSL as it was embedded or read.
 struct SnippetFile {
-    std::string_view name; ///< "fragment/gltf"
+    std::string_view name; ///< "fragment/brdf/ggx"
     std::string_view text;
 };
 

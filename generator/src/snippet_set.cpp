@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/snippet_set.h"
 
-#include "franken/file.h"
 #include "franken/printable.h"
 #include "library.h"
 
 #include <algorithm>
 #include <cassert>
+#include <fstream>
 #include <map>
 
 namespace franken {
@@ -68,11 +68,14 @@ Result<void> checkInterface(const Snippet& snippet, std::uint8_t row) {
 }
 
 Result<std::string> readText(const std::filesystem::path& path) {
-    const Result<std::vector<std::uint8_t>> bytes = readFile(path, kMaxFileBytes);
-    if (!bytes || bytes->empty())
-        return Error{"snippet.file", path.string(), bytes ? "the file is empty" : bytes.error().what,
+    std::ifstream file(path, std::ios::binary);
+    std::string text(kMaxFileBytes + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (!file.eof() || text.empty())
+        return Error{"snippet.file", path.string(), "cannot be read, is empty or is larger than 64 KiB",
                      "give a folder that is laid out as generator/glsl is"};
-    return std::string(withoutByteOrderMark({reinterpret_cast<const char*>(bytes->data()), bytes->size()}));
+    return std::string(withoutByteOrderMark(text));
 }
 
 // Whoever gave the folder finds the file by the name that he gave.

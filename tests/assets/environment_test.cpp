@@ -252,7 +252,7 @@ class RealSky : public testing::TestWithParam<const char*> {};
 TEST_P(RealSky, CoefficientsMatchBruteForce) {
     const fs::path file = kSkies / GetParam();
     if (!fs::exists(file))
-        GTEST_SKIP() << "needs " << file << " beside the sources";
+        GTEST_SKIP() << file << " is not there";
     const auto sky = loadEnvironment(file);
     ASSERT_TRUE(sky) << toString(sky.error());
     const LightsBlock block = pack(*sky);
@@ -273,7 +273,7 @@ INSTANTIATE_TEST_SUITE_P(Skies, RealSky, testing::Values("venice.hdr", "sunset.h
 /// The same sky as a panorama and as faces: clipped to 1, the panorama looks like the faces.
 TEST(Environment, FacesMatchThePanorama) {
     if (!fs::exists(kSkies / "venice.hdr"))
-        GTEST_SKIP() << "needs " << kSkies << " beside the sources";
+        GTEST_SKIP() << kSkies << " is not there";
     std::array<fs::path, 6> files;
     for (std::size_t i = 0; i < 6; ++i)
         files[i] =

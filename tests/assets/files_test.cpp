@@ -229,8 +229,7 @@ TEST(MalformedFiles, FacesOfSkies) {
 
 TEST(FilesByOthers, InvalidOnesAreRefusedOrHarmless) {
     if (!fs::exists(shared() / "invalid"))
-        GTEST_SKIP() << "needs " << shared() / "invalid"
-                     << " beside the sources";
+        GTEST_SKIP() << "no " << shared() / "invalid";
     Tally tally("invalid files by others");
     for (const fs::path& file : modelsBelow(shared() / "invalid")) {
         const Outcome outcome = loadOnce(file);
@@ -242,8 +241,7 @@ TEST(FilesByOthers, InvalidOnesAreRefusedOrHarmless) {
 
 TEST(FilesByOthers, ValidOnesLoadOrNameTheExtension) {
     if (!fs::exists(shared() / "valid"))
-        GTEST_SKIP() << "needs " << shared() / "valid"
-                     << " beside the sources";
+        GTEST_SKIP() << "no " << shared() / "valid";
     Tally tally("valid files by others");
     for (const fs::path& file : modelsBelow(shared() / "valid")) {
         const Outcome outcome = loadOnce(file);

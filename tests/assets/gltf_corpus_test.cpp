@@ -51,7 +51,7 @@ std::map<std::string, std::vector<std::string>> loadAll(const std::filesystem::p
 TEST(GltfCorpus, ValidFilesLoadOrNameTheExtension) {
     const auto folder = sharedFolder() / "assets/valid";
     if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << "needs " << folder << " beside the sources";
+        GTEST_SKIP() << "no " << folder;
     for (const auto& [code, errors] : loadAll(folder))
         for (const std::string& error : errors)
             EXPECT_EQ(code, "gltf.extension") << error;
@@ -60,21 +60,21 @@ TEST(GltfCorpus, ValidFilesLoadOrNameTheExtension) {
 TEST(GltfCorpus, ReferenceScenesLoad) {
     const auto folder = sharedFolder() / "reference";
     if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << "needs " << folder << " beside the sources";
+        GTEST_SKIP() << "no " << folder;
     EXPECT_TRUE(loadAll(folder).empty());
 }
 
 TEST(GltfCorpus, AssimpModelsLoad) {
     const std::filesystem::path folder = "/usr/share/assimp/models/glTF2";
     if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << "needs " << folder << ", of the Debian package assimp-testmodels";
+        GTEST_SKIP() << "no " << folder << " (package assimp-testmodels)";
     loadAll(folder); // broken ones are among them
 }
 
 TEST(GltfCorpus, InvalidFilesAreNoCrash) {
     const auto folder = sharedFolder() / "assets/invalid";
     if (!std::filesystem::exists(folder))
-        GTEST_SKIP() << "needs " << folder << " beside the sources";
+        GTEST_SKIP() << "no " << folder;
     EXPECT_FALSE(loadAll(folder).empty());
 }
 

@@ -8,6 +8,9 @@
 #include <iostream>
 #include <iterator>
 #include <numbers>
+#include <sstream>
+#include <string>
+#include <vector>
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>
@@ -70,7 +73,7 @@ protected:
     void SetUp() override {
         const fs::path file = kShared / "assets" / "env" / GetParam();
         if (!fs::exists(file))
-            GTEST_SKIP() << "needs " << file << " beside the sources";
+            GTEST_SKIP() << file << " is not there";
         auto loaded = test::loadExposed(file);
         ASSERT_TRUE(loaded);
         sky = std::move(*loaded);
@@ -124,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Skies, LitBySky, testing::Values("venice.hdr", "sunset.
 TEST(SpecularSky, SpheresMatchTheReference) {
     const fs::path folder = kShared / "reference" / "sky";
     if (!fs::exists(folder))
-        GTEST_SKIP() << "needs " << folder << " beside the sources";
+        GTEST_SKIP() << folder << " is not there";
     const auto environment = loadEnvironment(kShared / "assets" / "env" / "venice.hdr");
     ASSERT_TRUE(environment);
     const ReflectionMaps sky{filterSpecular(*environment), specularLookup()};
@@ -236,6 +239,40 @@ TEST(SpecularSky, SameOnEveryRun) {
     const SpecularAtlas first = filterSpecular(sky, kSpecularSize, [&](float share) { done = share; });
     EXPECT_EQ(done, 1);
     EXPECT_EQ(first.image.rgba, filterSpecular(sky).image.rgba);
+}
+
+/// The numbers of "const float kName = 1.0;" or "const vec2 kName = vec2(1.0, 2.0);" in a snippet.
+std::vector<float> constantIn(const std::string& glsl, const std::string& name) {
+    const std::size_t begin = glsl.find(" " + name + " = ") + name.size() + 4;
+    std::string value = glsl.substr(begin, glsl.find(';', begin) - begin);
+    for (const std::string cut : {"vec2(", ")", ","})
+        if (const std::size_t at = value.find(cut); at != std::string::npos)
+            value.replace(at, cut.size(), " ");
+    std::istringstream numbers(value);
+    return {std::istream_iterator<float>(numbers), {}};
+}
+
+/// The constants of the snippets are those of the atlas' layout.
+TEST(SpecularSky, SnippetsKnowTheAtlas) {
+    const auto snippet = [](const char* name) {
+        std::ifstream file(std::string(FRANKEN_SOURCE_DIR "/generator/glsl/fragment/reflection/") + name);
+        return std::string{std::istreambuf_iterator<char>(file), {}};
+    };
+    const std::string atlas = snippet("atlas.glsl"), irradiance = snippet("irradiance.glsl");
+    const auto expect = [](const std::string& glsl, const char* name, std::vector<double> expected) {
+        const std::vector<float> found = constantIn(glsl, name);
+        ASSERT_EQ(found.size(), expected.size()) << name;
+        for (std::size_t i = 0; i < found.size(); ++i)
+            EXPECT_NEAR(found[i], expected[i], 1e-7) << name;
+    };
+    const double ratio = std::sqrt(0.5), all = 1 - std::pow(ratio, kSpecularLevels);
+    expect(atlas, "kAtlasPoint", {1 / all});
+    expect(atlas, "kAtlasHalf", {0.25, 0.5 * (1 - ratio) / all});
+    expect(atlas, "kAtlasNext", {ratio});
+    expect(atlas, "kAtlasInner", {kSpecularScale});
+    expect(irradiance, "kIrradianceUpper", {13.0 / 16, 0.75});
+    expect(irradiance, "kIrradianceLower", {15.0 / 16, 0.75});
+    expect(irradiance, "kIrradianceHalf", {kSpecularScale / 16});
 }
 
 } // namespace

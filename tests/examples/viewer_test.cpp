@@ -194,9 +194,9 @@ TEST_F(Viewer, SnippetsOfItsOwnMustCompile) {
     copySnippets();
     const std::string urn = std::string(kUrn) + " --size 40x30 --snippets glsl";
     EXPECT_EQ(run(urn).code, 0);
-    std::ofstream(m_folder / "glsl/fragment/specular.glsl", std::ios::app) << "  specular += nonsense;\n";
+    std::ofstream(m_folder / "glsl/fragment/ambient/sum.glsl", std::ios::app) << "  sum.specular += nonsense;\n";
     EXPECT_EQ(run(urn).code, 4);
-    fs::remove(m_folder / "glsl/fragment/specular.glsl");
+    fs::remove(m_folder / "glsl/fragment/ambient/sum.glsl");
     EXPECT_EQ(run(urn).code, 3);
 }
 

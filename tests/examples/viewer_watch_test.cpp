@@ -74,23 +74,23 @@ protected:
 
 TEST_F(Watching, TakesASnippetAndKeepsTheLastGoodPicture) {
     copySnippets();
-    const fs::path snippet = m_folder / "glsl/fragment/specular.glsl";
+    const fs::path snippet = m_folder / "glsl/fragment/ambient/sum.glsl";
     const std::string text = readText(snippet);
     const auto write = [&](const std::string& more) { std::ofstream(snippet) << text << more; };
     start("--snippets glsl");
     ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 1));
     const Picture first = readPicture(m_picture);
 
-    write("  specular += vec3(0.2, 0.0, 0.0);\n");
+    write("  sum.specular += vec3(0.2, 0.0, 0.0);\n");
     ASSERT_NO_FATAL_FAILURE(await("viewer: wrote out.png", 2));
     const Picture redder = readPicture(m_picture);
     const Difference difference = compareLit(redder, first);
     EXPECT_GT(difference.pixels, 100u);
     EXPECT_GT(difference.bias, 5) << difference;
 
-    write("  specular += nonsense;\n"); // Refused by the driver.
+    write("  sum.specular += nonsense;\n"); // Refused by the driver.
     ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 1));
-    EXPECT_NE(err().find("generator/glsl/fragment/specular.glsl:4"), std::string::npos) << err();
+    EXPECT_NE(err().find("generator/glsl/fragment/ambient/sum.glsl:5"), std::string::npos) << err();
     EXPECT_NE(err().find("nonsense"), std::string::npos) << err();
     EXPECT_EQ(readPicture(m_picture).rgba, redder.rgba);
 

@@ -146,12 +146,12 @@ std::string reasonOf(const Permutation& permutation, std::string_view snippet) {
 
 TEST(Explain, NamesTheWordsThatBroughtASnippet) {
     const Permutation permutation = named("basecolor+sun1+punctual1+spots+aces");
-    EXPECT_EQ(reasonOf(permutation, "fragment/base_texture"), "basecolor");
-    EXPECT_EQ(reasonOf(permutation, "fragment/punctual_spot"), "punctual1+spots");
-    EXPECT_EQ(reasonOf(permutation, "fragment/gltf"), "sun1 or others");
-    EXPECT_EQ(reasonOf(permutation, "fragment/tone_aces"), "aces");
-    EXPECT_EQ(reasonOf(permutation, "vertex/position"), "");
-    EXPECT_EQ(reasonOf(named("basecolor+sun1+aces"), "fragment/gltf"), "sun1");
+    EXPECT_EQ(reasonOf(permutation, "fragment/base_color/texture"), "basecolor");
+    EXPECT_EQ(reasonOf(permutation, "fragment/lights/punctual.spot"), "punctual1+spots");
+    EXPECT_EQ(reasonOf(permutation, "fragment/brdf/smith_correlated"), "sun1 or others");
+    EXPECT_EQ(reasonOf(permutation, "fragment/output/tone_aces"), "aces");
+    EXPECT_EQ(reasonOf(permutation, "vertex/transform/position"), "");
+    EXPECT_EQ(reasonOf(named("basecolor+sun1+aces"), "fragment/brdf/smith_correlated"), "sun1");
 }
 
 TEST(Explain, LeavesNoSnippetOfThePopulationOut) {

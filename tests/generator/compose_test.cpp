@@ -191,24 +191,72 @@ TEST(Compose, LineMapLeadsToTheSnippetsLines) {
 
 // Each flag that is on in a stage stands in its head; nothing else does.
 TEST(Compose, HeadNamesTheStageAndItsFlags) {
-    const Composed program = compose(named("basecolor.normal+ambient+sun1+seed+decode-none+linear"));
-    EXPECT_TRUE(program.vertex.text.starts_with("#version 100\n// FrankenShader\n"));
+    const std::string name = "basecolor.normal+ambient+sun1+seed+decode-none+linear";
+    const Composed program = compose(named(name));
+    EXPECT_TRUE(program.vertex.text.starts_with("#version 100\n// FrankenShader\n//   transform/position: 1\n"));
+    EXPECT_TRUE(program.fragment.text.starts_with("#version 100\n// FrankenShader " + name + "\n"));
     EXPECT_NE(program.vertex.text.find("//\n// VERTEX SHADER\n//\n"), std::string::npos);
     EXPECT_NE(program.fragment.text.find("//\n// FRAGMENT SHADER\n//\n"), std::string::npos);
-    EXPECT_NE(program.vertex.text.find("\n//   normal: 1\n"), std::string::npos);
+    EXPECT_NE(program.vertex.text.find("\n//   frame/normal: 1\n"), std::string::npos);
     EXPECT_EQ(program.vertex.text.find("//   output"), std::string::npos);
     EXPECT_EQ(program.vertex.text.find("//   brdf"), std::string::npos);
     EXPECT_NE(program.fragment.text.find("\n//   brdf: seed\n"), std::string::npos);
     EXPECT_NE(program.fragment.text.find("\n//   output: linear\n"), std::string::npos);
 }
 
+// The name in a fragment shader's head asks for this very fragment shader, whichever program it was written for.
+TEST(Compose, TheNameInTheHeadBringsTheShaderBack) {
+    for (const Permutation& p : bases()) {
+        const std::string text = compose(p).fragment.text;
+        const std::string line = linesOf(text).at(1);
+        const std::string head = "// FrankenShader ";
+        ASSERT_TRUE(line.starts_with(head)) << line;
+        EXPECT_EQ(compose(named(line.substr(head.size()))).fragment.text, text) << toName(p);
+    }
+}
+
+std::string kindOf(const std::string& line) {
+    std::istringstream words(line);
+    std::string kind, type, name, slashes, block;
+    words >> kind >> type >> name >> slashes >> block;
+    if (type == "mediump")
+        words >> block;
+    const bool sampler = type.starts_with("sampler");
+    return kind == "uniform" ? (sampler ? "samplers" : block.substr(0, block.find(':'))) : kind;
+}
+
+// The kinds of declarations in a stage, in the order in which they come.
+std::vector<std::string> kindsIn(const std::string& text) {
+    std::vector<std::string> kinds;
+    for (const std::string& line : linesOf(text))
+        if (line.starts_with("attribute ") || line.starts_with("varying ") || line.starts_with("uniform "))
+            if (const std::string kind = kindOf(line); kinds.empty() || kinds.back() != kind)
+                kinds.push_back(kind);
+    return kinds;
+}
+
+TEST(Compose, DeclarationsStandInGroups) {
+    const std::vector<std::string> order = {"attribute", "varying", "frame",   "lights",
+                                            "material",  "object",  "samplers"};
+    for (const Permutation& p : bases()) {
+        const Composed program = compose(p);
+        for (const std::string* text : {&program.vertex.text, &program.fragment.text}) {
+            const std::vector<std::string> kinds = kindsIn(*text);
+            std::size_t at = 0;
+            for (const std::string& kind : order)
+                at += at < kinds.size() && kinds[at] == kind;
+            EXPECT_EQ(at, kinds.size()) << toName(p);
+        }
+    }
+}
+
 TEST(Compose, LogsPointAtSnippets) {
-    ComposedStage stage{"a\nb\nc\n", {{{}, 0}, {"fragment/gltf", 15}, {"fragment/eye", 4}}};
-    const std::string gltf = " [generator/glsl/fragment/gltf.glsl:15]\n";
+    ComposedStage stage{"a\nb\nc\n", {{{}, 0}, {"fragment/brdf/ggx", 15}, {"fragment/view/view", 4}}};
+    const std::string gltf = " [generator/glsl/fragment/brdf/ggx.glsl:15]\n";
     EXPECT_EQ(annotateLog("0:2(5): error: x", stage), "0:2(5): error: x" + gltf);
     EXPECT_EQ(annotateLog("ERROR: 0:2: 'x' : y", stage), "ERROR: 0:2: 'x' : y" + gltf);
     EXPECT_EQ(annotateLog("0:1(1): x\n0:3(1): y\n", stage),
-              "0:1(1): x\n0:3(1): y [generator/glsl/fragment/eye.glsl:4]\n");
+              "0:1(1): x\n0:3(1): y [generator/glsl/fragment/view/view.glsl:4]\n");
     for (const std::string log : {"no line", "0:4(1): beyond", "0:99999999999999(1): far", "0:", "0:0(1): x"})
         EXPECT_EQ(annotateLog(log, stage), log + "\n");
     EXPECT_EQ(annotateLog("", stage), "");

@@ -178,10 +178,10 @@ TEST(Lint, EachRuleHasATest) {
 
 TEST(Lint, NamesTheSnippet) {
     ComposedStage stage = stageOf("#version 100\nvoid main() {\n  gl_Position = vec4(1);\n}\n");
-    stage.lines = {{{}, 0}, {{}, 0}, {"vertex/position", 6}, {{}, 0}};
+    stage.lines = {{{}, 0}, {{}, 0}, {"vertex/transform/position", 6}, {{}, 0}};
     const std::vector<LintFinding> findings = lint(stage, Stage::Vertex);
     ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(toString(findings[0]), "generator/glsl/vertex/position.glsl:6: the integer '1' stands where a "
+    EXPECT_EQ(toString(findings[0]), "generator/glsl/vertex/transform/position.glsl:6: the integer '1' stands where a "
                                      "float is meant [integer-literal]");
 }
 

@@ -5,8 +5,6 @@
 
 #include <thread>
 
-#include <sys/stat.h>
-
 namespace fs = std::filesystem;
 
 namespace franken {
@@ -46,11 +44,11 @@ TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {
 }
 
 TEST_F(SnippetSetTest, AChangedFileChangesTheProgramsThatHaveIt) {
-    write("fragment/dark.glsl", read("fragment/dark.glsl") + "  diffuse += vec3(0.25);\n");
+    write("fragment/ambient/none.glsl", read("fragment/ambient/none.glsl") + "  irradiance += vec3(0.25);\n");
     const Result<SnippetSet> set = SnippetSet::read(m_folder);
     ASSERT_TRUE(set) << toString(set.error());
     const Composed lit = compose(permutation("sun1"), *set);
-    EXPECT_NE(lit.fragment.text.find("  diffuse += vec3(0.25);\n"), std::string::npos);
+    EXPECT_NE(lit.fragment.text.find("  irradiance += vec3(0.25);\n"), std::string::npos);
     EXPECT_EQ(lit.vertex.text, compose(permutation("sun1")).vertex.text);
     EXPECT_EQ(compose(permutation("sky"), *set).fragment.text, compose(permutation("sky")).fragment.text);
     EXPECT_EQ(compose(permutation("sun1")).fragment.text.find("0.25)"), std::string::npos);
@@ -64,7 +62,7 @@ TEST_F(SnippetSetTest, LinesNameTheirSnippetWhenTheSetIsGone) {
         stage = compose(permutation("sun1"), *set).fragment;
     }
     const std::string text = annotateLog("0:" + std::to_string(stage.lines.size() - 1) + "(1): error", stage);
-    EXPECT_NE(text.find("[" + (m_folder / "fragment/write_opaque.glsl:").string()), std::string::npos)
+    EXPECT_NE(text.find("[" + (m_folder / "fragment/output/write_opaque.glsl:").string()), std::string::npos)
         << text;
 }
 
@@ -85,13 +83,13 @@ TEST_F(SnippetSetTest, ComposesOnManyThreadsAtOnce) {
 }
 
 TEST_F(SnippetSetTest, WhatBreaksTheContractIsRefusedWithFileAndLine) {
-    write("fragment/dark.glsl", "// Dark.\n//! maine\n");
+    write("fragment/ambient/none.glsl", "// Dark.\n//! maine\n");
     EXPECT_EQ(failure().code, "snippet.syntax");
-    EXPECT_EQ(failure().where, (m_folder / "fragment/dark.glsl:2").string());
+    EXPECT_EQ(failure().where, (m_folder / "fragment/ambient/none.glsl:2").string());
 }
 
 TEST_F(SnippetSetTest, AByteOrderMarkBelongsToNoSnippet) {
-    write("fragment/dark.glsl", "\xEF\xBB\xBF" + read("fragment/dark.glsl"));
+    write("fragment/ambient/none.glsl", "\xEF\xBB\xBF" + read("fragment/ambient/none.glsl"));
     const Result<SnippetSet> set = SnippetSet::read(m_folder.string() + "/");
     ASSERT_TRUE(set) << toString(set.error());
     EXPECT_EQ(compose(permutation("sun1"), *set).fragment.text, compose(permutation("sun1")).fragment.text);
@@ -107,27 +105,21 @@ TEST_F(SnippetSetTest, WhatTheBuildCannotFeedIsRefused) {
           Row{"uniform vec3 uAmbient; // frame: another block", "uAmbient"},
           Row{"uniform vec3 uBaseColorCubic[9]; // material: longer", "uBaseColorCubic"},
           Row{"uniform sampler2D uNoise; // frame: new", "uNoise"}, Row{"attribute vec3 aWind;", "aWind"}}) {
-        write("fragment/dark.glsl", std::string("// Dark.\n//! declarations\n") + row.declaration + "\n");
+        write("fragment/ambient/none.glsl", std::string("// Dark.\n//! declarations\n") + row.declaration + "\n");
         EXPECT_EQ(failure().code, "snippet.interface") << row.declaration;
-        EXPECT_EQ(failure().where, (m_folder / "fragment/dark.glsl:3").string()) << row.declaration;
+        EXPECT_EQ(failure().where, (m_folder / "fragment/ambient/none.glsl:3").string()) << row.declaration;
         EXPECT_NE(failure().what.find(row.name), std::string::npos) << failure().what;
     }
 }
 
 TEST_F(SnippetSetTest, AFileThatIsMissingOrHugeOrEmptyIsRefused) {
-    write("fragment/dark.glsl", std::string(70000, ' '));
+    write("fragment/ambient/none.glsl", std::string(70000, ' '));
     EXPECT_EQ(failure().code, "snippet.file");
-    write("fragment/dark.glsl", "");
+    write("fragment/ambient/none.glsl", "");
     EXPECT_EQ(failure().code, "snippet.file");
-    fs::remove(m_folder / "fragment/dark.glsl");
-    fs::create_directory(m_folder / "fragment/dark.glsl");
+    fs::remove(m_folder / "fragment/ambient/none.glsl");
     EXPECT_EQ(failure().code, "snippet.file");
-    fs::remove(m_folder / "fragment/dark.glsl");
-    ASSERT_EQ(mkfifo((m_folder / "fragment/dark.glsl").c_str(), 0600), 0);
-    EXPECT_EQ(failure().code, "snippet.file") << "a pipe is not waited for";
-    fs::remove(m_folder / "fragment/dark.glsl");
-    EXPECT_EQ(failure().code, "snippet.file");
-    EXPECT_EQ(failure().where, (m_folder / "fragment/dark.glsl").string());
+    EXPECT_EQ(failure().where, (m_folder / "fragment/ambient/none.glsl").string());
     EXPECT_EQ(SnippetSet::read("no/such/folder").error().code, "snippet.file");
 }
 

@@ -41,8 +41,8 @@ std::set<std::string> writeShaders(const fs::path& folder) {
     std::set<std::string> files;
     for (const Permutation& p : population()) {
         const Composed program = compose(p);
-        const std::string vertex = std::to_string(stageKey(p, Stage::Vertex)) + ".vert";
-        const std::string fragment = std::to_string(stageKey(p, Stage::Fragment)) + ".frag";
+        const std::string vertex = toHex(stageKey(p, Stage::Vertex)) + ".vert";
+        const std::string fragment = toHex(stageKey(p, Stage::Fragment)) + ".frag";
         if (files.insert(vertex).second)
             std::ofstream(folder / vertex) << program.vertex.text;
         if (files.insert(fragment).second)

@@ -9,11 +9,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A copy of the snippets in which `dark`, where the sum of all light begins, has one more line.
+/// A copy of the snippets in which `ambient/none`, where the sum of all light begins, has one more line.
 Result<SnippetSet> snippetsWith(const std::string& line) {
     const fs::path folder = emptyTestFolder();
     fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", folder, fs::copy_options::recursive);
-    std::ofstream(folder / "fragment/dark.glsl", std::ios::app) << line << "\n";
+    std::ofstream(folder / "fragment/ambient/none.glsl", std::ios::app) << line << "\n";
     return SnippetSet::read(folder);
 }
 
@@ -35,7 +35,7 @@ TEST_P(SnippetsTest, ARendererDrawsWithOthersAndWithItsOwnAgain) {
     };
     const auto before = middle();
 
-    const Result<SnippetSet> brighter = snippetsWith("  diffuse += vec3(0.25, 0.0, 0.0);");
+    const Result<SnippetSet> brighter = snippetsWith("  irradiance += vec3(0.25, 0.0, 0.0);");
     ASSERT_TRUE(brighter) << toString(brighter.error());
     renderer.setSnippets(*brighter);
     const auto during = middle();
@@ -48,7 +48,7 @@ TEST_P(SnippetsTest, ARendererDrawsWithOthersAndWithItsOwnAgain) {
 }
 
 TEST_P(SnippetsTest, ACacheSaysInWhichSnippetTheErrorIs) {
-    const Result<SnippetSet> broken = snippetsWith("  diffuse = nonsense;");
+    const Result<SnippetSet> broken = snippetsWith("  irradiance = nonsense;");
     ASSERT_TRUE(broken) << toString(broken.error());
     ProgramCache cache(gl());
     const Permutation permutation = canonicalise(*parseName("sun1"))->permutation;
@@ -58,7 +58,7 @@ TEST_P(SnippetsTest, ACacheSaysInWhichSnippetTheErrorIs) {
     const Result<ProgramHandle> failed = cache.get(permutation);
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().code, "program.compile");
-    EXPECT_NE(failed.error().what.find("fragment/dark.glsl:"), std::string::npos) << failed.error().what;
+    EXPECT_NE(failed.error().what.find("fragment/ambient/none.glsl:"), std::string::npos) << failed.error().what;
     EXPECT_TRUE(gl().IsProgram((*working)->name())) << "whoever holds a program keeps it";
 }
 

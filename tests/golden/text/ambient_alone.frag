@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.occlusion+ambient+aces
 //   baseColorTexture: 1
 //   occlusion: occlusion
 //   ambient: ambient
@@ -12,15 +12,18 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform sampler2D uOcclusionTexture; // material: R, linear
-uniform vec2 uOcclusion; // material: strength, 1 - strength
+
 uniform vec3 uAmbient; // lights: linear radiance
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec2 uOcclusion; // material: strength, 1 - strength
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uOcclusionTexture; // material: R, linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
@@ -32,7 +35,7 @@ vec3 toneMap(vec3 c) {
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -40,13 +43,18 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
+
   float occlusion = texture2D(uOcclusionTexture, vUv0).r * uOcclusion.x + uOcclusion.y;
-  vec3 diffuse = uAmbient;
-  diffuse *= occlusion;
-  vec3 color = base.rgb * diffuse;
+
+  vec3 irradiance = uAmbient;
+
+  irradiance *= occlusion;
+
+  vec3 color = base.rgb * irradiance;
+
   color = toneMap(color);
-  color = encodeDisplay(color);
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader emissive-factor
 //   emissive: emissive-factor
 //
 // FRAGMENT SHADER
@@ -9,10 +9,11 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 uniform vec3 uEmissive; // material: linear radiance
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -20,7 +21,9 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec3 color = vec3(0.0);
+
   color += uEmissive;
-  color = encodeDisplay(color);
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -1,35 +1,37 @@
 #version 100
 // FrankenShader
-//   position: 1
-//   uv0_transform: 1
-//   uv1_transform: 1
-//   normal: 1
-//   normal_varying: 1
-//   world: 1
-//   camera_varying: 1
-//   tangent: 1
-//   tangent_varying: 1
+//   transform/position: 1
+//   streams/uv0.transform: 1
+//   streams/uv1.transform: 1
+//   frame/normal: 1
+//   frame/normal_varying: 1
+//   frame/to_camera: 1
+//   frame/to_camera_varying: 1
+//   frame/tangent: 1
+//   frame/tangent_varying: 1
 //
 // VERTEX SHADER
 //
 attribute vec3 aPosition;
-uniform mat4 uModelViewProjection; // object: model space to clip space
 attribute vec2 aUv0;
-uniform mat3 uUv0Transform; // material: KHR_texture_transform
-varying vec2 vUv0;
 attribute vec2 aUv1;
-uniform mat3 uUv1Transform; // material: KHR_texture_transform
-varying vec2 vUv1;
 attribute vec3 aNormal;
-uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
-varying vec3 vNormal;
-uniform mat4 uModel; // object: model space to world space
-uniform vec3 uCameraPosition; // frame: world space
-varying vec3 vToCamera;
 attribute vec4 aTangent; // xyz: direction of +U; w: +1 or -1, the bitangent's side
-uniform float uNormalScale; // material: glTF's normalTexture.scale
+
+varying vec2 vUv0;
+varying vec2 vUv1;
+varying vec3 vNormal;
+varying vec3 vToCamera;
 varying vec3 vTangent;
 varying vec3 vBitangent;
+
+uniform vec3 uCameraPosition; // frame: world space
+uniform mat3 uUv0Transform; // material: KHR_texture_transform
+uniform mat3 uUv1Transform; // material: KHR_texture_transform
+uniform float uNormalScale; // material: glTF's normalTexture.scale
+uniform mat4 uModelViewProjection; // object: model space to clip space
+uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
+uniform mat4 uModel; // object: model space to world space
 
 vec3 safeNormalize(vec3 v) {
   return v * inversesqrt(max(dot(v, v), 1.0e-12));
@@ -37,8 +39,10 @@ vec3 safeNormalize(vec3 v) {
 
 void main() {
   gl_Position = uModelViewProjection * vec4(aPosition, 1.0);
+
   vUv0 = (uUv0Transform * vec3(aUv0, 1.0)).xy;
   vUv1 = (uUv1Transform * vec3(aUv1, 1.0)).xy;
+
   vec3 normal = normalize(uNormalMatrix * aNormal);
   vNormal = normal;
   vec3 toCamera = uCameraPosition - (uModel * vec4(aPosition, 1.0)).xyz;

@@ -1,24 +1,27 @@
 #version 100
 // FrankenShader
-//   position: 1
-//   normal: 1
-//   normal_varying: 1
-//   world: 1
-//   camera_varying: 1
+//   transform/position: 1
+//   frame/normal: 1
+//   frame/normal_varying: 1
+//   frame/to_camera: 1
+//   frame/to_camera_varying: 1
 //
 // VERTEX SHADER
 //
 attribute vec3 aPosition;
-uniform mat4 uModelViewProjection; // object: model space to clip space
 attribute vec3 aNormal;
-uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
+
 varying vec3 vNormal;
-uniform mat4 uModel; // object: model space to world space
-uniform vec3 uCameraPosition; // frame: world space
 varying vec3 vToCamera;
+
+uniform vec3 uCameraPosition; // frame: world space
+uniform mat4 uModelViewProjection; // object: model space to clip space
+uniform mat3 uNormalMatrix; // object: inverse transpose of the model matrix
+uniform mat4 uModel; // object: model space to world space
 
 void main() {
   gl_Position = uModelViewProjection * vec4(aPosition, 1.0);
+
   vec3 normal = normalize(uNormalMatrix * aNormal);
   vNormal = normal;
   vec3 toCamera = uCameraPosition - (uModel * vec4(aPosition, 1.0)).xyz;

@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.mask
 //   baseColorTexture: 1
 //   alpha: mask
 //
@@ -10,13 +10,16 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform float uAlphaCutoff; // material: 0-1
 
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -26,7 +29,9 @@ void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
   base *= uBaseColor;
   if (base.a < uAlphaCutoff) discard;
+
   vec3 color = vec3(0.0);
-  color = encodeDisplay(color);
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader overlay+basecolor.blend
 //   program: overlay
 //   baseColorTexture: 1
 //   alpha: blend
@@ -11,13 +11,18 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+
 uniform vec4 uBaseColor; // material: linear RGB and alpha
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
   base *= uBaseColor;
+
   vec3 color = base.rgb;
+
   gl_FragColor = vec4(color, base.a);
 }

@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader overlay+vertexcolor
 //   program: overlay
 //   vertexColor: 1
 //
@@ -10,12 +10,16 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec4 vColor;
+
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 
 void main() {
   vec4 base = uBaseColor;
   base *= vColor;
+
   vec3 color = base.rgb;
+
   gl_FragColor = vec4(color, 1.0);
 }

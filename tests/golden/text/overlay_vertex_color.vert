@@ -1,16 +1,19 @@
 #version 100
 // FrankenShader
-//   overlay: 1
-//   color: 1
+//   transform/overlay: 1
+//   streams/color: 1
 //
 // VERTEX SHADER
 //
 attribute vec3 aPosition; // z is not used
-uniform mat3 uOverlay; // object: (x, y, 1) in the overlay's units to clip space
 attribute vec4 aColor;
+
 varying vec4 vColor;
+
+uniform mat3 uOverlay; // object: (x, y, 1) in the overlay's units to clip space
 
 void main() {
   gl_Position = vec4((uOverlay * vec3(aPosition.xy, 1.0)).xy, 0.0, 1.0);
+
   vColor = aColor;
 }

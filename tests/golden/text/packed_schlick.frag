@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.metalrough+sun2+schlick
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   suns: sun2
@@ -12,34 +12,37 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
 varying vec3 vToCamera;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform sampler2D uMetallicRoughnessTexture; // material: linear
-uniform vec2 uMetallicRoughness; // material: factors, 0-1
+
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform vec3 uSun1Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
+float squareRoot(float x) {
   return sqrt(x);
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
   return 1.0 / x;
 }
 
@@ -47,29 +50,50 @@ struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
   float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float smithV = nDotV * surface.smith.x + surface.smith.y;
-  float smithL = light.x * surface.smith.x + surface.smith.y;
-  float width = light.z - light.y * surface.slope;
-  return surface.gain * light.z * light.z * inverse(width * width * smithV * smithL);
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// Returns what F_0 is not: F = F_0 + (1 - F_0) fresnel.
+float fresnel(float vDotH) {
+  // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994, equation 15.
+  float x = 1.0 - vDotH;
+  float x2 = x * x;
+  return x2 * x2 * x;
 }
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
-  float entering = light.x - light.x * light.w;
-  float mirror = lobe(light, nDotV, surface);
-  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
-  specular += radiance * (mirror * (light.x - entering * surface.clear));
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
+}
+
+// nDotX: N.L or N.V. smith: 1 - k and k.
+float shadowing(float nDotX, vec2 smith) {
+  // The denominator of Schlick's G_1, N.X / (N.X (1 - k) + k): Karis, "Real Shading in Unreal Engine 4", 2013.
+  // k = alpha / 2, and (roughness + 1)^2 / 8 for the BRDF `seed`.
+  return nDotX * smith.x + smith.y;
+}
+
+// Returns pi D V; V = 0.25 / (shadowing(N.V) shadowing(N.L)).
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorD(angles, surface) * shadowing(nDotV, surface.smith);
+  denominator *= shadowing(angles.nDotL, surface.smith);
+  return surface.gain * reciprocal(denominator) * (angles.h2 * angles.h2);
 }
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
-Surface makeSurface(float metallic, float roughness) {
+Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha = r * r;
   float alpha2 = alpha * alpha;
@@ -77,19 +101,51 @@ Surface makeSurface(float metallic, float roughness) {
   return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, 1.0 - alpha2, smith, 0.25 * alpha2);
 }
 
-// normal and toCamera times their scale are unit, as toLight is. Returns N.L clamped; (N.(V+L))^2;
-// |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
-vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 scale, float nDotV, vec3 toLight) {
-  float nDotL = max(scale.x * dot(normal, toLight), 0.0);
-  float nDotH = nDotL + nDotV;
-  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + 2.000002;
-  float x = 1.0 - root(0.25 * h2);
-  float x2 = x * x;
-  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+struct Sum {
+  vec3 diffuse; // what the base colour tints, a metal's specular light included
+  vec3 specular; // what it does not tint
+};
+
+struct View {
+  vec3 normal; // N: any length, world space
+  vec3 toCamera; // V: any length, world space
+  float inverseN; // 1 / |N|
+  float inverseV; // 1 / |V|
+  float nDotV; // N.V of unit vectors, kept off 0, where visibility would divide by it
+};
+
+View viewOf(vec3 normal, vec3 toCamera) {
+  float inverseN = inverseSquareRoot(dot(normal, normal));
+  float inverseV = inverseSquareRoot(dot(toCamera, toCamera));
+  float nDotV = max(dot(normal, toCamera) * (inverseV * inverseN), 1.0e-4);
+  return View(normal, toCamera, inverseN, inverseV, nDotV);
+}
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+};
+
+Angles anglesOf(Light light, View view) {
+  // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
+  float nDotL = max(view.inverseN * dot(view.normal, light.direction), 0.0);
+  float nDotH = nDotL + view.nDotV;
+  float h2 = (dot(view.toCamera, light.direction) * view.inverseV) * 2.0 + 2.000002;
+  return Angles(nDotL, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
+}
+
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -97,22 +153,27 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
+
   vec3 normal = vNormal;
+
   vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
-  Surface surface = makeSurface(metallic, roughness);
-  vec3 diffuse = vec3(0.0);
-  vec3 specular = vec3(0.0);
-  vec2 scale = vec2(inverseRoot(dot(normal, normal)), inverseRoot(dot(vToCamera, vToCamera)));
-  float nDotV = max(dot(normal, vToCamera) * (scale.y * scale.x), 1.0e-4);
-  vec4 anglesSun0 = lightAngles(normal, vToCamera, scale, nDotV, uSun0Direction);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
-  vec4 anglesSun1 = lightAngles(normal, vToCamera, scale, nDotV, uSun1Direction);
-  addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
-  vec3 color = base.rgb * diffuse + specular;
-  color = encodeDisplay(color);
+
+  Surface surface = surfaceOf(metallic, roughness);
+
+  vec3 irradiance = vec3(0.0);
+  Sum sum = Sum(irradiance, vec3(0.0));
+
+  View view = viewOf(normal, vToCamera);
+
+  addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
+  addLight(Light(uSun1Direction, uSun1Radiance), view, surface, sum);
+
+  vec3 color = base.rgb * sum.diffuse + sum.specular;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

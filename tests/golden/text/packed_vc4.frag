@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.metalrough+sun1+vc4
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   suns: sun1
@@ -12,32 +12,39 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
 varying vec3 vToCamera;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform sampler2D uMetallicRoughnessTexture; // material: linear
-uniform vec2 uMetallicRoughness; // material: factors, 0-1
+
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
+float squareRoot(float x) {
+  // VideoCore IV's rsq unit is followed by a Newton step, its exp2 and log2 are not. The exponent is a trace off
+  // 1/2, or Mesa turns the expression back; over 1e-6 to 10 that is 1.4e-4 of the result.
   return exp2(0.50001 * log2(x));
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
+  // Without the Newton step that follows VideoCore IV's rsq unit; a trace off 1/2, or Mesa turns it back.
   return exp2(-0.50001 * log2(x));
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
+  // Without the Newton step that follows VideoCore IV's rcp unit; a trace off 1, or Mesa turns it back.
   return exp2(-1.00001 * log2(x));
 }
 
@@ -45,49 +52,109 @@ struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
   float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float width = light.z - light.y * surface.slope;
-  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// Returns what F_0 is not: F = F_0 + (1 - F_0) fresnel.
+float fresnel(float vDotH) {
+  // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994, equation 15.
+  float x = 1.0 - vDotH;
+  float x2 = x * x;
+  return x2 * x2 * x;
 }
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
-  float entering = light.x - light.x * light.w;
-  float mirror = lobe(light, nDotV, surface);
-  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
-  specular += radiance * (mirror * (light.x - entering * surface.clear));
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
-Surface makeSurface(float metallic, float roughness) {
+// The denominator of V = 0.5 / denominatorV; packMaterial and surfaceOf fold alpha^2 / 2 into it.
+float denominatorV(Angles angles, float nDotV, Surface surface) {
+  // Smith's shadowing, correlated by height: Heitz, "Understanding the Masking-Shadowing Function in
+  // Microfacet-Based BRDFs", 2014, equation 99.
+  float smithL = nDotV * squareRoot(angles.nDotL * (angles.nDotL * surface.smith.x) + surface.smith.y);
+  float smithV = angles.nDotL * squareRoot(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return smithV + smithL;
+}
+
+// Returns pi D V.
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorV(angles, nDotV, surface) * denominatorD(angles, surface);
+  return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
+}
+
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's reflection has no size.
+Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha2 = (r * (r * r)) * r;
   float slope = 1.0 - alpha2;
   return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
-// normal and toCamera times their scale are unit, as toLight is. squares: |normal|^2; 1 + |V|^2, kept off 2.
-// facing: N.V of the unscaled normal. Returns N.L clamped; (N.(V+L))^2 and |V+L|^2, both times |normal|^2;
-// Schlick's (1 - V.H)^5.
-vec4 lightAngles(vec3 normal, vec3 toCamera, vec2 squares, vec2 scale, float facing, vec3 toLight) {
-  float facingLight = max(dot(normal, toLight), 0.0);
-  float nDotH = facingLight + facing;
-  float h2 = (dot(toCamera, toLight) * scale.y) * 2.0 + squares.y;
-  float x = 1.0 - root(0.25 * h2);
-  float x2 = x * x;
-  return vec4(facingLight * scale.x, nDotH * nDotH, squares.x * h2, x2 * x2 * x);
+struct Sum {
+  vec3 diffuse; // what the base colour tints, a metal's specular light included
+  vec3 specular; // what it does not tint
+};
+
+struct View {
+  vec3 normal; // N: any length, world space
+  vec3 toCamera; // V: any length, world space
+  float inverseN; // 1 / |N|
+  float inverseV; // 1 / |V|
+  float n2; // |N|^2
+  float v2; // 1 + |V|^2 of the scaled V, kept off 2
+  float facing; // N.V of the scaled V
+  float nDotV; // N.V of unit vectors, kept off 0, where visibility would divide by it
+};
+
+View viewOf(vec3 normal, vec3 toCamera) {
+  float n2 = dot(normal, normal);
+  float v2 = dot(toCamera, toCamera);
+  float inverseN = inverseSquareRoot(n2);
+  float inverseV = inverseSquareRoot(v2);
+  v2 = v2 * (inverseV * inverseV) + 1.000002;
+  float facing = max(dot(normal, toCamera) * inverseV, 5.0e-5);
+  return View(normal, toCamera, inverseN, inverseV, n2, v2, facing, facing * inverseN);
+}
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+};
+
+// (N.H')^2 and |H'|^2 come out times |N|^2, which cancels in the lobe.
+Angles anglesOf(Light light, View view) {
+  // |V + L|^2 = |V|^2 + 1 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
+  float facingLight = max(dot(view.normal, light.direction), 0.0);
+  float nDotH = facingLight + view.facing;
+  float h2 = (dot(view.toCamera, light.direction) * view.inverseV) * 2.0 + view.v2;
+  return Angles(facingLight * view.inverseN, nDotH * nDotH, view.n2 * h2, fresnel(squareRoot(0.25 * h2)));
+}
+
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -95,23 +162,26 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
+
   vec3 normal = vNormal;
+
   vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
-  Surface surface = makeSurface(metallic, roughness);
-  vec3 diffuse = vec3(0.0);
-  vec3 specular = vec3(0.0);
-  vec2 squares = vec2(dot(normal, normal), dot(vToCamera, vToCamera));
-  vec2 scale = vec2(inverseRoot(squares.x), inverseRoot(squares.y));
-  squares.y = squares.y * (scale.y * scale.y) + 1.000002;
-  float facing = max(dot(normal, vToCamera) * scale.y, 5.0e-5);
-  float nDotV = facing * scale.x;
-  vec4 anglesSun0 = lightAngles(normal, vToCamera, squares, scale, facing, uSun0Direction);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
-  vec3 color = base.rgb * diffuse + specular;
-  color = encodeDisplay(color);
+
+  Surface surface = surfaceOf(metallic, roughness);
+
+  vec3 irradiance = vec3(0.0);
+  Sum sum = Sum(irradiance, vec3(0.0));
+
+  View view = viewOf(normal, vToCamera);
+
+  addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
+
+  vec3 color = base.rgb * sum.diffuse + sum.specular;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader sky
 //   program: sky
 //
 // FRAGMENT SHADER
@@ -9,12 +9,15 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec3 vDirection;
-uniform samplerCube uSkyTexture; // frame: RGBM, square-rooted
+
 uniform float uSkyRange; // frame: the largest radiance that a texel can hold, times the exposure
 
+uniform samplerCube uSkyTexture; // frame: RGBM, square-rooted
+
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -24,6 +27,7 @@ void main() {
   vec4 texel = textureCube(uSkyTexture, vDirection);
   vec3 color = texel.rgb * texel.a;
   color *= color * uSkyRange;
-  color = encodeDisplay(color);
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader sky+aces+srgb-fast+dither
 //   program: sky
 //   toneMap: aces
 //   output: srgb-fast
@@ -12,10 +12,13 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec3 vDirection;
-uniform samplerCube uSkyTexture; // frame: RGBM, square-rooted
+
 uniform float uSkyRange; // frame: the largest radiance that a texel can hold, times the exposure
 uniform vec3 uDither; // frame: amplitude per channel, in output units: 1/255 for 8 bits, 1/31 for 5
+
+uniform samplerCube uSkyTexture; // frame: RGBM, square-rooted
 
 // c: linear radiance, 0 and up. Returns 0-1, and slightly above for the brightest.
 vec3 toneMap(vec3 c) {
@@ -23,7 +26,7 @@ vec3 toneMap(vec3 c) {
 }
 
 // The power part of the sRGB curve alone: below code 10 it is too dark. c: linear light, 0 and up.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   return 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
 }
 
@@ -42,8 +45,9 @@ void main() {
   vec4 texel = textureCube(uSkyTexture, vDirection);
   vec3 color = texel.rgb * texel.a;
   color *= color * uSkyRange;
+
   color = toneMap(color);
-  color = encodeDisplay(color);
+  color = linearToDisplay(color);
   color += bayer4(floor(gl_FragCoord.xy)) * uDither;
   gl_FragColor = vec4(color, 1.0);
 }

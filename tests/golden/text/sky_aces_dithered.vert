@@ -1,12 +1,14 @@
 #version 100
 // FrankenShader
-//   sky: 1
+//   transform/skybox: 1
 //
 // VERTEX SHADER
 //
 attribute vec3 aPosition; // clip space: (-1,-1), (3,-1), (-1,3)
-uniform mat3 uClipToSky; // frame: (x, y, 1) in clip space to a direction in the sky
+
 varying vec3 vDirection;
+
+uniform mat3 uClipToSky; // frame: (x, y, 1) in clip space to a direction in the sky
 
 void main() {
   vDirection = uClipToSky * vec3(aPosition.xy, 1.0);

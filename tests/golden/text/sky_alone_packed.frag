@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.metalrough.occlusion-packed+sh
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   occlusion: occlusion-packed
@@ -12,35 +12,39 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+
+uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform sampler2D uMetallicRoughnessTexture; // material: linear
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
 uniform vec2 uOcclusion; // material: strength, 1 - strength
-uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
+// n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
+vec3 skyIrradiance(vec3 n) {
+  // Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps", 2001, equation 13.
   return uSky[0] + uSky[1] * n.y + uSky[2] * n.z + uSky[3] * n.x
        + uSky[4] * (n.x * n.y) + uSky[5] * (n.y * n.z) + uSky[6] * (3.0 * n.z * n.z - 1.0)
        + uSky[7] * (n.x * n.z) + uSky[8] * (n.x * n.x - n.y * n.y);
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -48,16 +52,23 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
-  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));
+
+  vec3 normal = vNormal * inverseSquareRoot(dot(vNormal, vNormal));
+
   vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
   float metallic = orm.b * uMetallicRoughness.x;
+
   float occlusion = orm.r * uOcclusion.x + uOcclusion.y;
-  vec3 diffuse = max(skyLight(normal), 0.0);
-  diffuse *= 0.96 - 0.96 * metallic;
-  diffuse *= occlusion;
-  vec3 color = base.rgb * diffuse;
-  color = encodeDisplay(color);
+
+  vec3 irradiance = max(skyIrradiance(normal), 0.0); // nine coefficients can ring below 0
+  irradiance *= 0.96 - 0.96 * metallic;
+
+  irradiance *= occlusion;
+
+  vec3 color = base.rgb * irradiance;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

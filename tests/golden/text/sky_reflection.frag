@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader sh+reflection
 //   ambient: sh
 //   reflection: 1
 //
@@ -10,53 +10,81 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec3 vNormal;
 varying vec3 vToCamera;
+
+uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
-uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
-uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
-uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 
-float inverseRoot(float x) {
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's factor, rest, level / 8, irradiance's share
+
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
   return 1.0 / x;
 }
 
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
-  float reach = 0.0546875 - 0.02734375 * abs(n.y);
-  vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uReflectionTexture, point);
+// Two rectangles of an eighth of the atlas' width and height.
+const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
+const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
+const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+
+// n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
+vec3 skyIrradiance(vec3 n) {
+  // At (x, z) (1 - |y| / 2): any map that does not fold will do, and this one takes no reciprocal.
+  float reach = kIrradianceHalf - 0.5 * kIrradianceHalf * abs(n.y);
+  float u = n.y < 0.0 ? kIrradianceLower.x : kIrradianceUpper.x;
+  vec4 texel = texture2D(uReflectionTexture, vec2(n.x * reach + u, n.z * reach + kIrradianceUpper.y));
   vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
 
-// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
-vec2 skyPoint(vec3 d) {
+// Nine levels of two squares, each sqrt(1/2) of the one before in size and below it: all shrink towards one point.
+const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
+const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
+const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
+const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+
+// d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
+vec2 atlasPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
-  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
+  vec2 p = d.xz * reciprocal(max(a.x, a.z) + a.y);
+  vec2 middle = vec2(d.y < 0.0 ? 3.0 * kAtlasHalf.x : kAtlasHalf.x, kAtlasHalf.y - kAtlasPoint);
+  return p * (kAtlasInner * kAtlasHalf) + middle;
 }
 
-// level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
-vec3 skyThroughLobe(vec3 d, float level) {
+// d: of any length. level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
+vec3 reflectedSky(vec3 d, float level) {
   float whole = float(int(level));
-  float size = exp2(-0.5 * whole);
-  vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  vec2 point = exp2(-0.5 * whole) * atlasPoint(d);
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + kAtlasNext * point);
+  // Mixed before the root is squared, and the scale taken by the weights: fewer products than to decode first.
   float blend = uReflectionScale * (level - whole);
   vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
+struct View {
+  vec3 normal; // N: unit, world space
+  vec3 toCamera; // V: unit, world space
+  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+};
+
+struct Share { // of the sky's light
+  float scattered; // of the irradiance, tinted by the base colour
+  float tinted; // of the reflection, tinted by the base colour
+  float untinted; // of the reflection
+};
+
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -64,15 +92,23 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = uBaseColor;
-  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));
-  vec3 irradiance = skyLight(normal);
-  vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
-  float nDotV = max(dot(normal, toCamera), 1.0e-4);
-  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, uReflectionLobe.x));
-  vec3 toSky = normal * (uReflectionLobe.z * nDotV + uReflectionLobe.y) - toCamera;
-  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
-  vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
-  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
-  color = encodeDisplay(color);
+
+  vec3 normal = vNormal * inverseSquareRoot(dot(vNormal, vNormal));
+
+  vec3 irradiance = skyIrradiance(normal);
+
+  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
+  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+
+  // Bent towards N the more, the rougher the surface and the lower the eye: 2 N.V + bend (1 - N.V) of N
+  // (specularBend in pack.h).
+  vec3 toSky = view.normal * (uReflectionLobe.z * view.nDotV + uReflectionLobe.y) - view.toCamera;
+  vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, uReflectionLobe.x));
+  vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
+  Share share = Share(uReflectance.x, lookup.r * uReflectance.y, lookup.r * uReflectance.z + lookup.g);
+  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

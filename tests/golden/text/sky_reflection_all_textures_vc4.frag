@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.metalrough.normal.occlusion-packed.emissive+sh+reflection+sun2+decode-fast+srgb-fast+vc4
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   normal: 1
@@ -19,51 +19,63 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
 varying vec3 vToCamera;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec3 uBaseColorCubic[3]; // material: coefficients of c^3, c^2 and c, times the factor
-uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 varying vec3 vTangent;
 varying vec3 vBitangent;
-uniform sampler2D uMetallicRoughnessTexture; // material: linear
-uniform vec2 uMetallicRoughness; // material: factors, 0-1
-uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+
 uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
-uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
-uniform vec2 uOcclusion; // material: strength, 1 - strength
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform vec3 uSun1Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
+uniform vec3 uBaseColorCubic[3]; // material: coefficients of c^3, c^2 and c, times the factor
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+uniform vec2 uOcclusion; // material: strength, 1 - strength
 uniform vec3 uEmissiveCubic[3]; // material: coefficients of c^3, c^2 and c, times the radiance of white
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's factor, rest, level / 8, irradiance's share
 uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
 
-float root(float x) {
+float squareRoot(float x) {
+  // VideoCore IV's rsq unit is followed by a Newton step, its exp2 and log2 are not. The exponent is a trace off
+  // 1/2, or Mesa turns the expression back; over 1e-6 to 10 that is 1.4e-4 of the result.
   return exp2(0.50001 * log2(x));
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
+  // Without the Newton step that follows VideoCore IV's rcp unit; a trace off 1, or Mesa turns it back.
   return exp2(-1.00001 * log2(x));
 }
 
 // texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
 vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
   vec3 n = texel - 0.5;
-  n = n.x * tangent + normal * n.z + n.y * bitangent;
-  return n * inverseRoot(dot(n, n));
+  n = n.x * tangent + n.y * bitangent + n.z * normal;
+  return n * inverseSquareRoot(dot(n, n));
 }
 
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
-  float reach = 0.0546875 - 0.02734375 * abs(n.y);
-  vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uReflectionTexture, point);
+// Two rectangles of an eighth of the atlas' width and height.
+const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
+const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
+const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+
+// n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
+vec3 skyIrradiance(vec3 n) {
+  // At (x, z) (1 - |y| / 2): any map that does not fold will do, and this one takes no reciprocal.
+  float reach = kIrradianceHalf - 0.5 * kIrradianceHalf * abs(n.y);
+  float u = n.y < 0.0 ? kIrradianceLower.x : kIrradianceUpper.x;
+  vec4 texel = texture2D(uReflectionTexture, vec2(n.x * reach + u, n.z * reach + kIrradianceUpper.y));
   vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
@@ -72,97 +84,174 @@ struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
   float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  float width = light.z - light.y * surface.slope;
-  float h = log2(light.z);
-  return surface.gain * exp2((h + h) - log2((smithV + smithL) * (width * width)));
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// Returns what F_0 is not: F = F_0 + (1 - F_0) fresnel.
+float fresnel(float vDotH) {
+  // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994, equation 15.
+  float x = 1.0 - vDotH;
+  float x2 = x * x;
+  return x2 * x2 * x;
 }
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
-  float mirror = lobe(light, nDotV, surface);
-  float entering = light.x - light.x * light.w;
-  float tinted = (surface.diffuse + surface.metal * mirror) * entering;
-  color += radiance * (mirror * (light.x - entering * surface.clear) + base * tinted);
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
-Surface makeSurface(float metallic, float roughness) {
+// The denominator of V = 0.5 / denominatorV; packMaterial and surfaceOf fold alpha^2 / 2 into it.
+float denominatorV(Angles angles, float nDotV, Surface surface) {
+  // Smith's shadowing, correlated by height: Heitz, "Understanding the Masking-Shadowing Function in
+  // Microfacet-Based BRDFs", 2014, equation 99.
+  float smithL = nDotV * squareRoot(angles.nDotL * (angles.nDotL * surface.smith.x) + surface.smith.y);
+  float smithV = angles.nDotL * squareRoot(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return smithV + smithL;
+}
+
+// Returns pi D V.
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorV(angles, nDotV, surface) * denominatorD(angles, surface);
+  float h = log2(angles.h2); // a product less than a reciprocal, and lights/light.vc4 has taken it already
+  return surface.gain * exp2((h + h) - log2(denominator));
+}
+
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's reflection has no size.
+Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha2 = (r * (r * r)) * r;
   float slope = 1.0 - alpha2;
   return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
-// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
-vec2 skyPoint(vec3 d) {
+// Nine levels of two squares, each sqrt(1/2) of the one before in size and below it: all shrink towards one point.
+const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
+const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
+const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
+const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+
+// d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
+vec2 atlasPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
-  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
+  vec2 p = d.xz * reciprocal(max(a.x, a.z) + a.y);
+  vec2 middle = vec2(d.y < 0.0 ? 3.0 * kAtlasHalf.x : kAtlasHalf.x, kAtlasHalf.y - kAtlasPoint);
+  return p * (kAtlasInner * kAtlasHalf) + middle;
 }
 
-// level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
-vec3 skyThroughLobe(vec3 d, float level) {
+// d: of any length. level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
+vec3 reflectedSky(vec3 d, float level) {
   float whole = float(int(level));
-  float size = exp2(-0.5 * whole);
-  vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  vec2 point = exp2(-0.5 * whole) * atlasPoint(d);
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + kAtlasNext * point);
+  // Mixed before the root is squared, and the scale taken by the weights: fewer products than to decode first.
   float blend = uReflectionScale * (level - whole);
   vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
-// All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
-vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
-  float nDotL = max(dot(normal, toLight), 0.0);
-  float nDotH = nDotL + nDotV;
-  float vDotL = dot(toCamera, toLight) + 1.000001;
-  float h2 = vDotL + vDotL;
-  float x = 1.0 - exp2(0.50001 * log2(h2) - 1.0);
-  float x2 = x * x;
-  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+struct Sum {
+  vec3 base; // linear base colour
+  vec3 color; // linear radiance
+};
+
+struct View {
+  vec3 normal; // N: unit, world space
+  vec3 toCamera; // V: unit, world space
+  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+};
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+};
+
+Angles anglesOf(Light light, View view) {
+  // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
+  float nDotL = max(dot(view.normal, light.direction), 0.0);
+  float nDotH = nDotL + view.nDotV;
+  float h2 = dot(view.toCamera, light.direction) + 1.000001;
+  h2 = h2 + h2; // a sum: VideoCore IV waits for its multiplier more than for its adder
+  // squareRoot(0.25 * h2) with the quarter in the exponent, so that the lobe finds the same logarithm.
+  float vDotH = exp2(0.50001 * log2(h2) - 1.0);
+  return Angles(nDotL, nDotH * nDotH, h2, fresnel(vDotH));
 }
 
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  float tinted = entering * (surface.diffuse + surface.metal * specular);
+  float untinted = (angles.nDotL - entering * surface.clear) * specular;
+  sum.color += (sum.base * tinted + untinted) * light.radiance;
+}
+
+struct Share { // of the sky's light
+  float scattered; // of the irradiance, tinted by the base colour
+  float tinted; // of the reflection, tinted by the base colour
+  float untinted; // of the reflection
+};
+
 // The power part of the sRGB curve alone: below code 10 it is too dark. c: linear light, 0 and up.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   return exp2(log2(c) * (1.0 / 2.4) + 0.07724300) - 0.055;
 }
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
   base.rgb = base.rgb * (base.rgb * (base.rgb * uBaseColorCubic[0] + uBaseColorCubic[1]) + uBaseColorCubic[2]);
+
   vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
+
   vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
-  vec3 irradiance = skyLight(normal);
-  Surface surface = makeSurface(metallic, roughness);
-  vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
-  float nDotV = max(dot(normal, toCamera), 1.0e-4);
+
+  vec3 irradiance = skyIrradiance(normal);
+
+  Surface surface = surfaceOf(metallic, roughness);
+
+  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
+  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+
+  // Bent towards N the more, the rougher the surface and the lower the eye, and a metal's more than a dielectric's
+  // (specularBend in pack.h).
   float alpha = roughness * roughness;
-  float bend = alpha * (0.6 + metallic);
-  vec3 toSky = mix(bend, 2.0, nDotV) * normal - toCamera;
-  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, roughness));
-  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
-  vec3 skyShare = vec3(0.96 - 0.96 * metallic, metallic * look.r, look.g + look.r * (0.04 - metallic * 0.04));
+  vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, roughness));
+  float bend = (metallic + 0.6) * alpha;
+  vec3 toSky = mix(bend, 2.0, view.nDotV) * view.normal - view.toCamera;
+  Share share = Share(0.96 - 0.96 * metallic, metallic * lookup.r, lookup.g + (0.04 - 0.04 * metallic) * lookup.r);
+  vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
+
   float occlusion = orm.r * uOcclusion.x + uOcclusion.y;
-  skyShare *= occlusion;
-  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
-  vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
-  vec4 anglesSun1 = lightAngles(normal, nDotV, toCamera, uSun1Direction);
-  addLight(uSun1Radiance, anglesSun1, nDotV, surface, base.rgb, color);
+  share = Share(share.scattered * occlusion, share.tinted * occlusion, share.untinted * occlusion);
+
+  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
+  Sum sum = Sum(base.rgb, color);
+
+  addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
+  addLight(Light(uSun1Direction, uSun1Radiance), view, surface, sum);
+
+  color = sum.color;
+
   vec3 glow = texture2D(uEmissiveTexture, vUv0).rgb;
   color += glow * (glow * (glow * uEmissiveCubic[0] + uEmissiveCubic[1]) + uEmissiveCubic[2]);
-  color = encodeDisplay(color);
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

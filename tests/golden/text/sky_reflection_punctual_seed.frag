@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.metalrough+sh+reflection+sun1+punctual1+seed
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   ambient: sh
@@ -15,45 +15,54 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
 varying vec3 vToCamera;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform sampler2D uMetallicRoughnessTexture; // material: linear
-uniform vec2 uMetallicRoughness; // material: factors, 0-1
-uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+
 uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
-uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform vec4 uPunctual0Position; // lights: from the eye, world space, m; 1 / range^2
 uniform vec3 uPunctual0Radiance; // lights: linear intensity / pi
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's factor, rest, level / 8, irradiance's share
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
+float squareRoot(float x) {
   return sqrt(x);
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
   return 1.0 / x;
 }
 
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
-  float reach = 0.0546875 - 0.02734375 * abs(n.y);
-  vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uReflectionTexture, point);
+// Two rectangles of an eighth of the atlas' width and height.
+const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
+const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
+const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+
+// n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
+vec3 skyIrradiance(vec3 n) {
+  // At (x, z) (1 - |y| / 2): any map that does not fold will do, and this one takes no reciprocal.
+  float reach = kIrradianceHalf - 0.5 * kIrradianceHalf * abs(n.y);
+  float u = n.y < 0.0 ? kIrradianceLower.x : kIrradianceUpper.x;
+  vec4 texel = texture2D(uReflectionTexture, vec2(n.x * reach + u, n.z * reach + kIrradianceUpper.y));
   vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
@@ -64,82 +73,149 @@ struct Surface {
   float tinted; // (1 - metalness) metalness
   float metal; // metalness
   float dielectric; // 0.04 (1 - metalness)
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V N.L. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float kept = min(4000.0 * light.x * nDotV, 1.0);
-  float width = light.z - light.y * surface.slope;
-  float smithV = nDotV * surface.smith.x + surface.smith.y;
-  float smithL = light.x * surface.smith.x + surface.smith.y;
-  return light.x * kept * surface.gain * inverse(width * width * smithV * smithL) * (light.z * light.z);
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// Returns what F_0 is not: F = F_0 + (1 - F_0) fresnel.
+float fresnel(float vDotH) {
+  // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994, equation 15.
+  float x = 1.0 - vDotH;
+  float x2 = x * x;
+  return x2 * x2 * x;
 }
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
-  float mirror = lobe(light, nDotV, surface);
-  float rim = light.w * mirror;
-  float face = mirror - rim;
-  float entering = light.x - light.w * light.x;
-  vec3 kept = entering * surface.tinted * surface.base;
-  vec3 tinted = surface.diffuse * entering + face * surface.metal - kept;
-  color += (base * tinted + (surface.dielectric * face + rim)) * radiance;
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
+}
+
+// nDotX: N.L or N.V. smith: 1 - k and k.
+float shadowing(float nDotX, vec2 smith) {
+  // The denominator of Schlick's G_1, N.X / (N.X (1 - k) + k): Karis, "Real Shading in Unreal Engine 4", 2013.
+  // k = alpha / 2, and (roughness + 1)^2 / 8 for the BRDF `seed`.
+  return nDotX * smith.x + smith.y;
+}
+
+// Returns pi D V; V = 0.25 / (shadowing(N.V) shadowing(N.L)).
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorD(angles, surface) * shadowing(nDotV, surface.smith);
+  denominator *= shadowing(angles.nDotL, surface.smith);
+  return surface.gain * reciprocal(denominator) * (angles.h2 * angles.h2);
 }
 
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
-Surface makeSurface(vec3 base, float metallic, float roughness) {
+Surface surfaceOf(vec3 base, float metallic, float roughness) {
   float r = max(roughness, 0.001);
-  float alpha2 = r * r * r * r;
+  float alpha = r * r;
+  float alpha2 = alpha * alpha;
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
   float scattered = 1.0 - metallic;
   float diffuse = scattered - scattered * dielectric;
   vec2 smith = vec2(1.0 - k, k);
-  float gain = 0.25 * alpha2;
-  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, gain);
+  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, 0.25 * alpha2);
 }
 
-// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
-vec2 skyPoint(vec3 d) {
+// Nine levels of two squares, each sqrt(1/2) of the one before in size and below it: all shrink towards one point.
+const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
+const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
+const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
+const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+
+// d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
+vec2 atlasPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
-  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
+  vec2 p = d.xz * reciprocal(max(a.x, a.z) + a.y);
+  vec2 middle = vec2(d.y < 0.0 ? 3.0 * kAtlasHalf.x : kAtlasHalf.x, kAtlasHalf.y - kAtlasPoint);
+  return p * (kAtlasInner * kAtlasHalf) + middle;
 }
 
-// level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
-vec3 skyThroughLobe(vec3 d, float level) {
+// d: of any length. level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
+vec3 reflectedSky(vec3 d, float level) {
   float whole = float(int(level));
-  float size = exp2(-0.5 * whole);
-  vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  vec2 point = exp2(-0.5 * whole) * atlasPoint(d);
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + kAtlasNext * point);
+  // Mixed before the root is squared, and the scale taken by the weights: fewer products than to decode first.
   float blend = uReflectionScale * (level - whole);
   vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
-// All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
-vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
-  float nDotL = max(dot(normal, toLight), 0.0);
-  float nDotH = nDotL + nDotV;
-  float h2 = 2.0 * dot(toCamera, toLight) + 2.000002;
-  float x = 1.0 - root(0.25 * h2);
-  float x2 = x * x;
-  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+struct Sum {
+  vec3 base; // linear base colour
+  vec3 color; // linear radiance
+};
+
+struct View {
+  vec3 normal; // N: unit, world space
+  vec3 toCamera; // V: unit, world space
+  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+};
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+};
+
+Angles anglesOf(Light light, View view) {
+  // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
+  float h2 = 2.0 * dot(view.toCamera, light.direction) + 2.000002;
+  float schlick = fresnel(squareRoot(0.25 * h2)); // first: four suns of the seed's BRDF are 3 instructions shorter so
+  float nDotL = max(dot(view.normal, light.direction), 0.0);
+  float nDotH = nDotL + view.nDotV;
+  return Angles(nDotL, nDotH * nDotH, h2, schlick);
 }
 
-// Inverse square with a window at the range (KHR_lights_punctual, "Range Property"). distance2 in m^2;
-// inverseRange2 = 1 / range^2, 0 where the range is infinite.
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // One F_0 = mix(0.04, base, metalness) for both layers, and V's divisor 4 N.L N.V kept above 0.001. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float kept = min(4000.0 * angles.nDotL * view.nDotV, 1.0);
+  float specular = angles.nDotL * kept * specularLobe(angles, view.nDotV, surface);
+  float rim = angles.fresnel * specular;
+  float face = specular - rim;
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  vec3 absorbed = entering * surface.tinted * surface.base;
+  vec3 tinted = surface.diffuse * entering + face * surface.metal - absorbed;
+  sum.color += (surface.base * tinted + (surface.dielectric * face + rim)) * light.radiance;
+}
+
+struct Share { // of the sky's light
+  float scattered; // of the irradiance, tinted by the base colour
+  float tinted; // of the reflection, tinted by the base colour
+  float untinted; // of the reflection
+};
+
+// distance2: in m^2. inverseRange2: 1 / range^2, 0 where the range is infinite.
 float distanceAttenuation(float distance2, float inverseRange2) {
+  // Inverse square with a window at the range: KHR_lights_punctual, "Range Property".
   float d = distance2 * inverseRange2;
   return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
 }
 
+// position: from the eye, world space, m; 1 / range^2. intensity: over pi. toCamera: from the surface, m.
+Light punctualLight(vec4 position, vec3 intensity, vec3 toCamera) {
+  vec3 toLight = position.xyz + toCamera;
+  float distance2 = dot(toLight, toLight);
+  vec3 direction = toLight * inverseSquareRoot(max(distance2, 1.0e-8));
+  return Light(direction, intensity * distanceAttenuation(distance2, position.w));
+}
+
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -147,31 +223,40 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
-  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));
+
+  vec3 normal = vNormal * inverseSquareRoot(dot(vNormal, vNormal));
+
   vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
-  vec3 irradiance = skyLight(normal);
-  Surface surface = makeSurface(base.rgb, metallic, roughness);
-  vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
-  float nDotV = max(dot(normal, toCamera), 1.0e-4);
+
+  vec3 irradiance = skyIrradiance(normal);
+
+  Surface surface = surfaceOf(base.rgb, metallic, roughness);
+
+  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
+  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+
+  // Bent towards N the more, the rougher the surface and the lower the eye, and a metal's more than a dielectric's
+  // (specularBend in pack.h).
   float alpha = roughness * roughness;
-  float bend = alpha * (0.6 + metallic);
-  vec3 toSky = mix(bend, 2.0, nDotV) * normal - toCamera;
-  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, roughness));
-  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
-  vec3 skyShare = vec3(0.96 - 0.96 * metallic, metallic * look.r, look.g + look.r * (0.04 - metallic * 0.04));
-  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
-  vec4 anglesSun0 = lightAngles(normal, nDotV, toCamera, uSun0Direction);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
-  vec3 toPunctual0 = uPunctual0Position.xyz + vToCamera;
-  float distancePunctual0 = dot(toPunctual0, toPunctual0);
-  toPunctual0 *= inverseRoot(max(distancePunctual0, 1.0e-8));
-  vec3 radiancePunctual0 = uPunctual0Radiance * distanceAttenuation(distancePunctual0, uPunctual0Position.w);
-  vec4 anglesPunctual0 = lightAngles(normal, nDotV, toCamera, toPunctual0);
-  addLight(radiancePunctual0, anglesPunctual0, nDotV, surface, base.rgb, color);
-  color = encodeDisplay(color);
+  vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, roughness));
+  float bend = (metallic + 0.6) * alpha;
+  vec3 toSky = mix(bend, 2.0, view.nDotV) * view.normal - view.toCamera;
+  Share share = Share(0.96 - 0.96 * metallic, metallic * lookup.r, lookup.g + (0.04 - 0.04 * metallic) * lookup.r);
+  vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
+  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
+  Sum sum = Sum(base.rgb, color);
+
+  addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
+  Light lightPunctual0 = punctualLight(uPunctual0Position, uPunctual0Radiance, vToCamera);
+  addLight(lightPunctual0, view, surface, sum);
+
+  color = sum.color;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

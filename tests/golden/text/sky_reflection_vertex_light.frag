@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.normal.occlusion+sh+reflection+sun2+vertexlight
 //   baseColorTexture: 1
 //   normal: 1
 //   occlusion: occlusion
@@ -15,60 +15,69 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 varying vec3 vTangent;
 varying vec3 vBitangent;
-uniform sampler2D uOcclusionTexture; // material: R, linear
-uniform vec2 uOcclusion; // material: strength, 1 - strength
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
-uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
-uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
-uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 varying vec3 vToCamera;
 varying vec4 vVDotL;
 varying vec4 vFresnel;
-uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
-uniform sampler2D uReflectionLookup; // frame: u is N.V, v roughness; F0's factor, the rest, level / 8, irradiance's share
+
+uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 uniform mediump vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform mediump vec3 uSun1Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec2 uOcclusion; // material: strength, 1 - strength
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+uniform sampler2D uOcclusionTexture; // material: R, linear
+uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
+uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's factor, rest, level / 8, irradiance's share
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
+float squareRoot(float x) {
   return sqrt(x);
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
   return 1.0 / x;
 }
 
 // texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
 vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
   vec3 n = texel - 0.5;
-  n = n.x * tangent + normal * n.z + n.y * bitangent;
-  return n * inverseRoot(dot(n, n));
+  n = n.x * tangent + n.y * bitangent + n.z * normal;
+  return n * inverseSquareRoot(dot(n, n));
 }
 
-// n: unit, world space. Returns linear radiance of a white surface.
-vec3 skyLight(vec3 n) {
-  float reach = 0.0546875 - 0.02734375 * abs(n.y);
-  vec2 point = vec2(n.x * reach + (n.y < 0.0 ? 0.9375 : 0.8125), n.z * reach + 0.75);
-  vec4 texel = texture2D(uReflectionTexture, point);
+// Two rectangles of an eighth of the atlas' width and height.
+const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
+const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
+const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+
+// n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
+vec3 skyIrradiance(vec3 n) {
+  // At (x, z) (1 - |y| / 2): any map that does not fold will do, and this one takes no reciprocal.
+  float reach = kIrradianceHalf - 0.5 * kIrradianceHalf * abs(n.y);
+  float u = n.y < 0.0 ? kIrradianceLower.x : kIrradianceUpper.x;
+  vec4 texel = texture2D(uReflectionTexture, vec2(n.x * reach + u, n.z * reach + kIrradianceUpper.y));
   vec3 root = texel.rgb * (texel.a * uReflectionScale);
   return root * root;
 }
@@ -77,55 +86,112 @@ struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
   float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float width = light.z - light.y * surface.slope;
-  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
 }
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, vec3 base, inout vec3 color) {
-  float mirror = lobe(light, nDotV, surface);
-  float entering = light.x - light.x * light.w;
-  float tinted = (surface.diffuse + surface.metal * mirror) * entering;
-  color += radiance * (mirror * (light.x - entering * surface.clear) + base * tinted);
+// The denominator of V = 0.5 / denominatorV; packMaterial and surfaceOf fold alpha^2 / 2 into it.
+float denominatorV(Angles angles, float nDotV, Surface surface) {
+  // Smith's shadowing, correlated by height: Heitz, "Understanding the Masking-Shadowing Function in
+  // Microfacet-Based BRDFs", 2014, equation 99.
+  float smithL = nDotV * squareRoot(angles.nDotL * (angles.nDotL * surface.smith.x) + surface.smith.y);
+  float smithV = angles.nDotL * squareRoot(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return smithV + smithL;
 }
 
-// d: of any length. Returns where it lies in the first level, less the point that the levels shrink towards.
-vec2 skyPoint(vec3 d) {
+// Returns pi D V.
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorV(angles, nDotV, surface) * denominatorD(angles, surface);
+  return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
+}
+
+// Nine levels of two squares, each sqrt(1/2) of the one before in size and below it: all shrink towards one point.
+const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
+const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
+const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
+const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+
+// d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
+vec2 atlasPoint(vec3 d) {
   vec3 a = abs(d);
-  vec2 p = d.xz * inverse(max(a.x, a.z) + a.y);
-  return vec2(p.x * 0.21875 + (d.y < 0.0 ? 0.75 : 0.25), p.y * 0.1340657 - 0.8930197);
+  vec2 p = d.xz * reciprocal(max(a.x, a.z) + a.y);
+  vec2 middle = vec2(d.y < 0.0 ? 3.0 * kAtlasHalf.x : kAtlasHalf.x, kAtlasHalf.y - kAtlasPoint);
+  return p * (kAtlasInner * kAtlasHalf) + middle;
 }
 
-// level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
-vec3 skyThroughLobe(vec3 d, float level) {
+// d: of any length. level: 0-8, of the roughness 2^((level - 8) / 2). Returns linear radiance.
+vec3 reflectedSky(vec3 d, float level) {
   float whole = float(int(level));
-  float size = exp2(-0.5 * whole);
-  vec2 point = size * skyPoint(d);
-  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + point);
-  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, 1.0462376) + 0.70710678 * point);
+  vec2 point = exp2(-0.5 * whole) * atlasPoint(d);
+  vec4 sharp = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + point);
+  vec4 rough = texture2D(uReflectionTexture, vec2(0.0, kAtlasPoint) + kAtlasNext * point);
+  // Mixed before the root is squared, and the scale taken by the weights: fewer products than to decode first.
   float blend = uReflectionScale * (level - whole);
   vec3 root = rough.rgb * (rough.a * blend) + (sharp.a * (uReflectionScale - blend)) * sharp.rgb;
   return root * root;
 }
 
-// lightAngles of a light whose V.L and Fresnel term are given. reach: 1 + |V|^2, as V shrinks between vertices.
-vec4 lightAngles(vec3 normal, float nDotV, float reach, vec3 toLight, float vDotL, float fresnel) {
-  float nDotL = max(dot(normal, toLight), 0.0);
-  float nDotH = nDotL + nDotV;
-  return vec4(nDotL, nDotH * nDotH, 2.0 * vDotL + reach, fresnel);
+struct Sum {
+  vec3 base; // linear base colour
+  vec3 color; // linear radiance
+};
+
+struct View {
+  vec3 normal; // N: unit, world space
+  vec3 toCamera; // V: unit but for what shrinks between vertices, world space
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
+  float v2; // 1 + |V|^2, kept off 2
+};
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+  float vDotL; // V.L
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+Angles anglesOf(Light light, View view) {
+  // |V + L|^2 = |V|^2 + 1 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
+  float nDotL = max(dot(view.normal, light.direction), 0.0);
+  float nDotH = nDotL + view.nDotV;
+  return Angles(nDotL, nDotH * nDotH, 2.0 * light.vDotL + view.v2, light.fresnel);
 }
 
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  float tinted = entering * (surface.diffuse + surface.metal * specular);
+  float untinted = (angles.nDotL - entering * surface.clear) * specular;
+  sum.color += (sum.base * tinted + untinted) * light.radiance;
+}
+
+struct Share { // of the sky's light
+  float scattered; // of the irradiance, tinted by the base colour
+  float tinted; // of the reflection, tinted by the base colour
+  float untinted; // of the reflection
+};
+
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -133,25 +199,40 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
+
   vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
+
   float occlusion = texture2D(uOcclusionTexture, vUv0).r * uOcclusion.x + uOcclusion.y;
-  vec3 irradiance = skyLight(normal);
+
+  vec3 irradiance = skyIrradiance(normal);
+
   Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
-  float reach = dot(vToCamera, vToCamera) + 1.000002;
+
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
-  vec3 toCamera = vToCamera;
-  vec4 look = texture2D(uReflectionLookup, vec2(nDotV, uReflectionLobe.x));
-  vec3 toSky = normal * (uReflectionLobe.z * nDotV + uReflectionLobe.y) - toCamera;
-  vec3 mirrored = mix(skyThroughLobe(toSky, 8.0 * look.b), irradiance, look.a);
-  vec3 skyShare = vec3(uReflectance.x, look.r * uReflectance.y, look.r * uReflectance.z + look.g);
-  skyShare *= occlusion;
-  vec3 color = mirrored * (skyShare.y * base.rgb + skyShare.z) + (irradiance * skyShare.x) * base.rgb;
-  vec4 anglesSun0 = lightAngles(normal, nDotV, reach, uSun0Direction, vVDotL.x, vFresnel.x);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, base.rgb, color);
-  vec4 anglesSun1 = lightAngles(normal, nDotV, reach, uSun1Direction, vVDotL.y, vFresnel.y);
-  addLight(uSun1Radiance, anglesSun1, nDotV, surface, base.rgb, color);
-  color = encodeDisplay(color);
+  View view = View(normal, vToCamera, nDotV, dot(vToCamera, vToCamera) + 1.000002);
+
+  // Bent towards N the more, the rougher the surface and the lower the eye: 2 N.V + bend (1 - N.V) of N
+  // (specularBend in pack.h).
+  vec3 toSky = view.normal * (uReflectionLobe.z * view.nDotV + uReflectionLobe.y) - view.toCamera;
+  vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, uReflectionLobe.x));
+  vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
+  Share share = Share(uReflectance.x, lookup.r * uReflectance.y, lookup.r * uReflectance.z + lookup.g);
+
+  share = Share(share.scattered * occlusion, share.tinted * occlusion, share.untinted * occlusion);
+
+  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
+  Sum sum = Sum(base.rgb, color);
+
+  Light lightSun0 = Light(uSun0Direction, uSun0Radiance, vVDotL.x, vFresnel.x);
+  addLight(lightSun0, view, surface, sum);
+  Light lightSun1 = Light(uSun1Direction, uSun1Radiance, vVDotL.y, vFresnel.y);
+  addLight(lightSun1, view, surface, sum);
+
+  color = sum.color;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

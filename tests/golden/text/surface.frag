@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader surface
 //
 // FRAGMENT SHADER
 //
@@ -10,7 +10,7 @@ precision mediump float;
 #endif
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -18,6 +18,7 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec3 color = vec3(0.0);
-  color = encodeDisplay(color);
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

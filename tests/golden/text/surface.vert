@@ -1,10 +1,11 @@
 #version 100
 // FrankenShader
-//   position: 1
+//   transform/position: 1
 //
 // VERTEX SHADER
 //
 attribute vec3 aPosition;
+
 uniform mat4 uModelViewProjection; // object: model space to clip space
 
 void main() {

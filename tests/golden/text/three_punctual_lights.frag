@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor+punctual3+reinhard
 //   baseColorTexture: 1
 //   punctualLights: punctual3
 //   toneMap: reinhard
@@ -11,36 +11,39 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
 varying vec3 vToCamera;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
-uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+
 uniform vec4 uPunctual0Position; // lights: from the eye, world space, m; 1 / range^2
 uniform vec3 uPunctual0Radiance; // lights: linear intensity / pi
 uniform vec4 uPunctual1Position; // lights: from the eye, world space, m; 1 / range^2
 uniform vec3 uPunctual1Radiance; // lights: linear intensity / pi
 uniform vec4 uPunctual2Position; // lights: from the eye, world space, m; 1 / range^2
 uniform vec3 uPunctual2Radiance; // lights: linear intensity / pi
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
+float squareRoot(float x) {
   return sqrt(x);
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
   return 1.0 / x;
 }
 
@@ -48,42 +51,97 @@ struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
   float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float width = light.z - light.y * surface.slope;
-  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
-}
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
-  float entering = light.x - light.x * light.w;
-  float mirror = lobe(light, nDotV, surface);
-  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
-  specular += radiance * (mirror * (light.x - entering * surface.clear));
-}
-
-// All vectors unit. Returns N.L clamped; (N.(V+L))^2; |V+L|^2, kept off 0; Schlick's (1 - V.H)^5.
-vec4 lightAngles(vec3 normal, float nDotV, vec3 toCamera, vec3 toLight) {
-  float nDotL = max(dot(normal, toLight), 0.0);
-  float nDotH = nDotL + nDotV;
-  float h2 = 2.0 * dot(toCamera, toLight) + 2.000002;
-  float x = 1.0 - root(0.25 * h2);
+// Returns what F_0 is not: F = F_0 + (1 - F_0) fresnel.
+float fresnel(float vDotH) {
+  // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994, equation 15.
+  float x = 1.0 - vDotH;
   float x2 = x * x;
-  return vec4(nDotL, nDotH * nDotH, h2, x2 * x2 * x);
+  return x2 * x2 * x;
 }
 
-// Inverse square with a window at the range (KHR_lights_punctual, "Range Property"). distance2 in m^2;
-// inverseRange2 = 1 / range^2, 0 where the range is infinite.
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
+}
+
+// The denominator of V = 0.5 / denominatorV; packMaterial and surfaceOf fold alpha^2 / 2 into it.
+float denominatorV(Angles angles, float nDotV, Surface surface) {
+  // Smith's shadowing, correlated by height: Heitz, "Understanding the Masking-Shadowing Function in
+  // Microfacet-Based BRDFs", 2014, equation 99.
+  float smithL = nDotV * squareRoot(angles.nDotL * (angles.nDotL * surface.smith.x) + surface.smith.y);
+  float smithV = angles.nDotL * squareRoot(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return smithV + smithL;
+}
+
+// Returns pi D V.
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorV(angles, nDotV, surface) * denominatorD(angles, surface);
+  return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
+}
+
+struct Sum {
+  vec3 diffuse; // what the base colour tints, a metal's specular light included
+  vec3 specular; // what it does not tint
+};
+
+struct View {
+  vec3 normal; // N: unit, world space
+  vec3 toCamera; // V: unit, world space
+  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+};
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+};
+
+Angles anglesOf(Light light, View view) {
+  // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
+  float h2 = 2.0 * dot(view.toCamera, light.direction) + 2.000002;
+  float schlick = fresnel(squareRoot(0.25 * h2)); // first: four suns of the seed's BRDF are 3 instructions shorter so
+  float nDotL = max(dot(view.normal, light.direction), 0.0);
+  float nDotH = nDotL + view.nDotV;
+  return Angles(nDotL, nDotH * nDotH, h2, schlick);
+}
+
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
+}
+
+// distance2: in m^2. inverseRange2: 1 / range^2, 0 where the range is infinite.
 float distanceAttenuation(float distance2, float inverseRange2) {
+  // Inverse square with a window at the range: KHR_lights_punctual, "Range Property".
   float d = distance2 * inverseRange2;
   return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
+}
+
+// position: from the eye, world space, m; 1 / range^2. intensity: over pi. toCamera: from the surface, m.
+Light punctualLight(vec4 position, vec3 intensity, vec3 toCamera) {
+  vec3 toLight = position.xyz + toCamera;
+  float distance2 = dot(toLight, toLight);
+  vec3 direction = toLight * inverseSquareRoot(max(distance2, 1.0e-8));
+  return Light(direction, intensity * distanceAttenuation(distance2, position.w));
 }
 
 // c: linear radiance, 0 and up. Returns 0-1.
@@ -92,7 +150,7 @@ vec3 toneMap(vec3 c) {
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -100,34 +158,29 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
-  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));
+
+  vec3 normal = vNormal * inverseSquareRoot(dot(vNormal, vNormal));
+
   Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
-  vec3 diffuse = vec3(0.0);
-  vec3 specular = vec3(0.0);
-  vec3 toCamera = vToCamera * inverseRoot(dot(vToCamera, vToCamera));
-  float nDotV = max(dot(normal, toCamera), 1.0e-4);
-  vec3 toPunctual0 = uPunctual0Position.xyz + vToCamera;
-  float distancePunctual0 = dot(toPunctual0, toPunctual0);
-  toPunctual0 *= inverseRoot(max(distancePunctual0, 1.0e-8));
-  vec3 radiancePunctual0 = uPunctual0Radiance * distanceAttenuation(distancePunctual0, uPunctual0Position.w);
-  vec4 anglesPunctual0 = lightAngles(normal, nDotV, toCamera, toPunctual0);
-  addLight(radiancePunctual0, anglesPunctual0, nDotV, surface, diffuse, specular);
-  vec3 toPunctual1 = uPunctual1Position.xyz + vToCamera;
-  float distancePunctual1 = dot(toPunctual1, toPunctual1);
-  toPunctual1 *= inverseRoot(max(distancePunctual1, 1.0e-8));
-  vec3 radiancePunctual1 = uPunctual1Radiance * distanceAttenuation(distancePunctual1, uPunctual1Position.w);
-  vec4 anglesPunctual1 = lightAngles(normal, nDotV, toCamera, toPunctual1);
-  addLight(radiancePunctual1, anglesPunctual1, nDotV, surface, diffuse, specular);
-  vec3 toPunctual2 = uPunctual2Position.xyz + vToCamera;
-  float distancePunctual2 = dot(toPunctual2, toPunctual2);
-  toPunctual2 *= inverseRoot(max(distancePunctual2, 1.0e-8));
-  vec3 radiancePunctual2 = uPunctual2Radiance * distanceAttenuation(distancePunctual2, uPunctual2Position.w);
-  vec4 anglesPunctual2 = lightAngles(normal, nDotV, toCamera, toPunctual2);
-  addLight(radiancePunctual2, anglesPunctual2, nDotV, surface, diffuse, specular);
-  vec3 color = base.rgb * diffuse + specular;
+
+  vec3 irradiance = vec3(0.0);
+  Sum sum = Sum(irradiance, vec3(0.0));
+
+  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
+  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+
+  Light lightPunctual0 = punctualLight(uPunctual0Position, uPunctual0Radiance, vToCamera);
+  addLight(lightPunctual0, view, surface, sum);
+  Light lightPunctual1 = punctualLight(uPunctual1Position, uPunctual1Radiance, vToCamera);
+  addLight(lightPunctual1, view, surface, sum);
+  Light lightPunctual2 = punctualLight(uPunctual2Position, uPunctual2Radiance, vToCamera);
+  addLight(lightPunctual2, view, surface, sum);
+
+  vec3 color = base.rgb * sum.diffuse + sum.specular;
+
   color = toneMap(color);
-  color = encodeDisplay(color);
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor+ambient+sun1+vertexlight
 //   baseColorTexture: 1
 //   ambient: ambient
 //   suns: sun1
@@ -12,35 +12,38 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
 varying vec3 vNormal;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
-uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
-uniform vec3 uAmbient; // lights: linear radiance
 varying vec3 vToCamera;
 varying vec4 vVDotL;
 varying vec4 vFresnel;
+
+uniform vec3 uAmbient; // lights: linear radiance
 uniform mediump vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
+float squareRoot(float x) {
   return sqrt(x);
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
   return 1.0 / x;
 }
 
@@ -48,36 +51,78 @@ struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
   float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float width = light.z - light.y * surface.slope;
-  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
 }
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
-  float entering = light.x - light.x * light.w;
-  float mirror = lobe(light, nDotV, surface);
-  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
-  specular += radiance * (mirror * (light.x - entering * surface.clear));
+// The denominator of V = 0.5 / denominatorV; packMaterial and surfaceOf fold alpha^2 / 2 into it.
+float denominatorV(Angles angles, float nDotV, Surface surface) {
+  // Smith's shadowing, correlated by height: Heitz, "Understanding the Masking-Shadowing Function in
+  // Microfacet-Based BRDFs", 2014, equation 99.
+  float smithL = nDotV * squareRoot(angles.nDotL * (angles.nDotL * surface.smith.x) + surface.smith.y);
+  float smithV = angles.nDotL * squareRoot(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return smithV + smithL;
 }
 
-// lightAngles of a light whose V.L and Fresnel term are given. reach: 1 + |V|^2, as V shrinks between vertices.
-vec4 lightAngles(vec3 normal, float nDotV, float reach, vec3 toLight, float vDotL, float fresnel) {
-  float nDotL = max(dot(normal, toLight), 0.0);
-  float nDotH = nDotL + nDotV;
-  return vec4(nDotL, nDotH * nDotH, 2.0 * vDotL + reach, fresnel);
+// Returns pi D V.
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorV(angles, nDotV, surface) * denominatorD(angles, surface);
+  return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
+}
+
+struct Sum {
+  vec3 diffuse; // what the base colour tints, a metal's specular light included
+  vec3 specular; // what it does not tint
+};
+
+struct View {
+  vec3 normal; // N: unit, world space
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
+  float v2; // 1 + |V|^2, kept off 2
+};
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+  float vDotL; // V.L
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+Angles anglesOf(Light light, View view) {
+  // |V + L|^2 = |V|^2 + 1 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
+  float nDotL = max(dot(view.normal, light.direction), 0.0);
+  float nDotH = nDotL + view.nDotV;
+  return Angles(nDotL, nDotH * nDotH, 2.0 * light.vDotL + view.v2, light.fresnel);
+}
+
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -85,17 +130,24 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
-  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));
+
+  vec3 normal = vNormal * inverseSquareRoot(dot(vNormal, vNormal));
+
   Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
-  vec3 diffuse = uAmbient;
-  vec3 specular = vec3(0.0);
-  float reach = dot(vToCamera, vToCamera) + 1.000002;
+
+  vec3 irradiance = uAmbient;
+  Sum sum = Sum(irradiance, vec3(0.0));
+
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
-  vec4 anglesSun0 = lightAngles(normal, nDotV, reach, uSun0Direction, vVDotL.x, vFresnel.x);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
-  vec3 color = base.rgb * diffuse + specular;
-  color = encodeDisplay(color);
+  View view = View(normal, nDotV, dot(vToCamera, vToCamera) + 1.000002);
+
+  Light lightSun0 = Light(uSun0Direction, uSun0Radiance, vVDotL.x, vFresnel.x);
+  addLight(lightSun0, view, surface, sum);
+
+  vec3 color = base.rgb * sum.diffuse + sum.specular;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

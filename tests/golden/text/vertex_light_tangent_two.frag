@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader basecolor.metalrough.normal.double+sun2+vertexlight
 //   baseColorTexture: 1
 //   metallicRoughness: metalrough
 //   normal: 1
@@ -14,36 +14,39 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
-uniform float uNormalScale; // material: glTF's normalTexture.scale
-uniform sampler2D uMetallicRoughnessTexture; // material: linear
-uniform vec2 uMetallicRoughness; // material: factors, 0-1
 varying vec4 vToSun0;
 varying vec3 vHalfSun0;
 varying vec4 vToSun1;
 varying vec3 vHalfSun1;
+
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform float uNormalScale; // material: glTF's normalTexture.scale
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
-vec3 decodeSrgb(vec3 c) {
+vec3 srgbToLinear(vec3 c) {
   vec3 low = c * (1.0 / 12.92);
   vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
   return mix(high, low, step(c, vec3(0.04045)));
 }
 
-float root(float x) {
+float squareRoot(float x) {
   return sqrt(x);
 }
 
-float inverseRoot(float x) {
+float inverseSquareRoot(float x) {
   return inversesqrt(x);
 }
 
-float inverse(float x) {
+float reciprocal(float x) {
   return 1.0 / x;
 }
 
@@ -51,44 +54,87 @@ struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
   float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
-  float slope; // 1 - alpha^2
+  float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // what the shadowing's coefficients do not hold
 };
 
-// pi D V. light: see lightAngles.
-float lobe(vec4 light, float nDotV, Surface surface) {
-  float width = light.z - light.y * surface.slope;
-  float smithL = nDotV * root(light.x * (light.x * surface.smith.x) + surface.smith.y);
-  float smithV = light.x * root(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
-  return (light.z * light.z) * surface.gain * inverse((smithV + smithL) * (width * width));
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// The denominator of pi D = alpha^2 |H'|^4 / denominatorD.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33, with
+  // (N.H)^2 = (N.H')^2 / |H'|^2.
+  float d = angles.h2 - angles.nDotH2 * surface.slope;
+  return d * d;
 }
 
-// light: see lightAngles. radiance: irradiance / pi.
-void addLight(vec3 radiance, vec4 light, float nDotV, Surface surface, inout vec3 diffuse, inout vec3 specular) {
-  float entering = light.x - light.x * light.w;
-  float mirror = lobe(light, nDotV, surface);
-  diffuse += radiance * (entering * (surface.metal * mirror + surface.diffuse));
-  specular += radiance * (mirror * (light.x - entering * surface.clear));
+// The denominator of V = 0.5 / denominatorV; packMaterial and surfaceOf fold alpha^2 / 2 into it.
+float denominatorV(Angles angles, float nDotV, Surface surface) {
+  // Smith's shadowing, correlated by height: Heitz, "Understanding the Masking-Shadowing Function in
+  // Microfacet-Based BRDFs", 2014, equation 99.
+  float smithL = nDotV * squareRoot(angles.nDotL * (angles.nDotL * surface.smith.x) + surface.smith.y);
+  float smithV = angles.nDotL * squareRoot(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return smithV + smithL;
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
-Surface makeSurface(float metallic, float roughness) {
+// Returns pi D V.
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float denominator = denominatorV(angles, nDotV, surface) * denominatorD(angles, surface);
+  return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
+}
+
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's reflection has no size.
+Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha2 = (r * (r * r)) * r;
   float slope = 1.0 - alpha2;
   return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
 }
 
-// normal: any length; the scale that it brings into (N.H)^2 and |H|^2 cancels in the BRDF.
-vec4 lightAngles(vec3 normal, float inverseLength, vec4 toLight, vec3 halfVector) {
-  float nDotL = max(dot(normal, toLight.xyz) * inverseLength, 0.0);
-  float nDotH = dot(normal, halfVector);
-  return vec4(nDotL, nDotH * nDotH, dot(normal, normal) * dot(halfVector, halfVector), toLight.w);
+struct Sum {
+  vec3 diffuse; // what the base colour tints, a metal's specular light included
+  vec3 specular; // what it does not tint
+};
+
+struct View {
+  vec3 normal; // N: any length, tangent space
+  float inverseN; // 1 / |N|
+  float nDotV; // N.V of unit vectors, kept off 0, where visibility would divide by it
+};
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, tangent space
+  vec3 radiance; // irradiance / pi
+  vec3 halfVector; // H' = V + L
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// (N.H')^2 and |H'|^2 come out times |N|^2, which cancels in the lobe.
+Angles anglesOf(Light light, View view) {
+  float nDotL = max(dot(view.normal, light.direction) * view.inverseN, 0.0);
+  float nDotH = dot(view.normal, light.halfVector);
+  float h2 = dot(view.normal, view.normal) * dot(light.halfVector, light.halfVector);
+  return Angles(nDotL, nDotH * nDotH, h2, light.fresnel);
+}
+
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
-vec3 encodeDisplay(vec3 c) {
+vec3 linearToDisplay(vec3 c) {
   c = clamp(c, 0.0, 1.0);
   vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
   return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
@@ -96,24 +142,33 @@ vec3 encodeDisplay(vec3 c) {
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);
-  base.rgb = decodeSrgb(base.rgb);
+  base.rgb = srgbToLinear(base.rgb);
   base *= uBaseColor;
+
   vec3 normal = texture2D(uNormalTexture, vUv0).xyz - 0.5;
   normal.xy *= uNormalScale;
   if (!gl_FrontFacing) normal = -normal;
+
   vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
-  Surface surface = makeSurface(metallic, roughness);
-  vec3 diffuse = vec3(0.0);
-  vec3 specular = vec3(0.0);
-  float inverseLength = inverseRoot(dot(normal, normal));
-  float nDotV = max((dot(normal, vHalfSun0) - dot(normal, vToSun0.xyz)) * inverseLength, 1.0e-4);
-  vec4 anglesSun0 = lightAngles(normal, inverseLength, vToSun0, vHalfSun0);
-  addLight(uSun0Radiance, anglesSun0, nDotV, surface, diffuse, specular);
-  vec4 anglesSun1 = lightAngles(normal, inverseLength, vToSun1, vHalfSun1);
-  addLight(uSun1Radiance, anglesSun1, nDotV, surface, diffuse, specular);
-  vec3 color = base.rgb * diffuse + specular;
-  color = encodeDisplay(color);
+
+  Surface surface = surfaceOf(metallic, roughness);
+
+  vec3 irradiance = vec3(0.0);
+  Sum sum = Sum(irradiance, vec3(0.0));
+
+  float inverseN = inverseSquareRoot(dot(normal, normal));
+  float nDotV = max((dot(normal, vHalfSun0) - dot(normal, vToSun0.xyz)) * inverseN, 1.0e-4);
+  View view = View(normal, inverseN, nDotV);
+
+  Light lightSun0 = Light(vToSun0.xyz, uSun0Radiance, vHalfSun0, vToSun0.w);
+  addLight(lightSun0, view, surface, sum);
+  Light lightSun1 = Light(vToSun1.xyz, uSun1Radiance, vHalfSun1, vToSun1.w);
+  addLight(lightSun1, view, surface, sum);
+
+  vec3 color = base.rgb * sum.diffuse + sum.specular;
+
+  color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
 }

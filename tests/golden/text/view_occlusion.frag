@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader occlusion+dither+view-occlusion
 //   occlusion: occlusion
 //   dither: 1
 //   view: view-occlusion
@@ -11,10 +11,13 @@ precision highp float;
 #else
 precision mediump float;
 #endif
+
 varying vec2 vUv0;
-uniform sampler2D uOcclusionTexture; // material: R, linear
-uniform vec2 uOcclusion; // material: strength, 1 - strength
+
 uniform vec3 uDither; // frame: amplitude per channel, in output units: 1/255 for 8 bits, 1/31 for 5
+uniform vec2 uOcclusion; // material: strength, 1 - strength
+
+uniform sampler2D uOcclusionTexture; // material: R, linear
 
 // The 2x2 matrix 0 2 / 3 1, over 4. p: whole pixels.
 float bayer2(vec2 p) {
@@ -29,7 +32,9 @@ float bayer4(vec2 p) {
 
 void main() {
   float occlusion = texture2D(uOcclusionTexture, vUv0).r * uOcclusion.x + uOcclusion.y;
+
   vec3 color = vec3(occlusion);
+
   color += bayer4(floor(gl_FragCoord.xy)) * uDither;
   gl_FragColor = vec4(color, 1.0);
 }

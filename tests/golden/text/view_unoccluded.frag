@@ -1,5 +1,5 @@
 #version 100
-// FrankenShader
+// FrankenShader view-occlusion
 //   view: view-occlusion
 //
 // FRAGMENT SHADER
@@ -12,5 +12,6 @@ precision mediump float;
 
 void main() {
   vec3 color = vec3(1.0);
+
   gl_FragColor = vec4(color, 1.0);
 }

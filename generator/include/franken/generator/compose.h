@@ -14,14 +14,14 @@ namespace FRANKEN_API franken {
 
 /// Where a line of a program came from.
 struct LineOrigin {
-    std::string_view snippet; ///< "fragment/gltf"; empty for lines that the composer wrote itself.
+    std::string_view snippet; ///< "fragment/brdf/ggx"; empty for lines that the composer wrote itself.
     int line;                 ///< In generator/glsl/<snippet>.glsl, from 1.
 };
 
 /// Where the snippets are that a build has in it, in FrankenShader's sources.
 inline constexpr std::string_view kSnippetFolder = "generator/glsl";
 
-/// "generator/glsl/fragment/gltf.glsl:12"; empty for a line that the composer wrote itself. Snippets of a
+/// "generator/glsl/fragment/brdf/ggx.glsl:12"; empty for a line that the composer wrote itself. Snippets of a
 /// SnippetSet of one's own are in `folder`.
 std::string toString(const LineOrigin& origin, std::string_view folder = kSnippetFolder);
 

@@ -18,7 +18,7 @@ struct Reason {
         Enough, ///< The words together bring it, but others of the name would do so as well.
     };
 
-    std::string snippet; ///< "fragment/gltf", as in LineOrigin.
+    std::string snippet; ///< "fragment/brdf/ggx", as in LineOrigin.
     Kind kind;
     std::vector<std::string> words; ///< In the order of choices.h.
 };

@@ -28,7 +28,7 @@ struct LintFinding {
     std::string message;   ///< One sentence, for people.
 };
 
-/// "generator/glsl/fragment/gltf.glsl:15: message [rule]", or "fragment:15: ..." for a line that came from
+/// "generator/glsl/fragment/brdf/ggx.glsl:15: message [rule]", or "fragment:15: ..." for a line that came from
 /// no snippet.
 std::string toString(const LintFinding& finding);
 

@@ -1,3 +1,0 @@
-// Times the vertex colour, which is linear.
-//! main
-  base *= vColor;

@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// The base colour's texel, as it is stored.
+//! declarations
+uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+//! main
+  vec4 base = texture2D(uBaseColorTexture, ${uv});

@@ -1,5 +1,0 @@
-// The base colour's texel, as it is stored.
-//! declarations
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
-//! main
-  vec4 base = texture2D(uBaseColorTexture, ${uv});

@@ -1,3 +1,0 @@
-// Takes vToCamera from the vertex shader.
-//! declarations
-varying vec3 vToCamera;

@@ -1,3 +1,0 @@
-// Takes vColor from the vertex shader.
-//! declarations
-varying vec4 vColor;

@@ -1,3 +1,0 @@
-// Takes vDirection from the vertex shader.
-//! declarations
-varying vec3 vDirection;

@@ -1,3 +1,0 @@
-// Back faces are lit from their own side (glTF 2.0, doubleSided).
-//! main
-  if (!gl_FrontFacing) normal = -normal;

@@ -1,6 +1,0 @@
-// Light of the surface's own, from a texture.
-//! declarations
-uniform vec3 uEmissive; // material: linear radiance where the texture is white
-uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
-//! main
-  color += uEmissive * decodeSrgb(texture2D(uEmissiveTexture, ${uv}).rgb);

@@ -1,3 +1,0 @@
-// Once, at the end: the framebuffer does not do it.
-//! main
-  color = encodeDisplay(color);

@@ -1,5 +1,0 @@
-// A reciprocal square root.
-//! functions
-float inverseRoot(float x) {
-  return inversesqrt(x);
-}

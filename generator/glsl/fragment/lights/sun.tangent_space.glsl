@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+// One sun whose vectors are in tangent space.
+//! declarations
+uniform vec3 u${light}Radiance; // lights: linear irradiance / pi
+//! main
+  Light light${light} = Light(vTo${light}.xyz, u${light}Radiance, vHalf${light}, vTo${light}.w);
+  addLight(light${light}, view, surface, sum);

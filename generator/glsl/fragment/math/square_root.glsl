@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: MIT
+// A square root.
+//! functions
+float squareRoot(float x) {
+  return sqrt(x);
+}

@@ -1,3 +1,0 @@
-// Metalness, 0-1.
-//! main
-  float metallic = orm.b * uMetallicRoughness.x;

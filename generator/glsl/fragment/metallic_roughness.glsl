@@ -1,3 +1,0 @@
-// The factors that the textures are multiplied with.
-//! declarations
-uniform vec2 uMetallicRoughness; // material: factors, 0-1

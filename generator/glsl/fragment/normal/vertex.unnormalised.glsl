@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+// The interpolated normal, as it comes.
+//! main
+  vec3 normal = vNormal;

@@ -1,3 +1,0 @@
-// Takes vNormal from the vertex shader.
-//! declarations
-varying vec3 vNormal;

@@ -1,3 +1,0 @@
-// The interpolated normal, as it comes.
-//! main
-  vec3 normal = vNormal;

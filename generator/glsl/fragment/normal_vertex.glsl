@@ -1,3 +1,0 @@
-// The interpolated normal, to unit length.
-//! main
-  vec3 normal = vNormal * inverseRoot(dot(vNormal, vNormal));

@@ -1,3 +1,0 @@
-// Occlusion dims ambient light only.
-//! main
-  diffuse *= occlusion;

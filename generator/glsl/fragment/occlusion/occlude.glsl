@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+// Occlusion dims ambient light only.
+//! main
+  irradiance *= occlusion;

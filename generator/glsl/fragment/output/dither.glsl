@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Ordered dither: Bayer, "An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures", 1973.
+//! declarations
+uniform vec3 uDither; // frame: amplitude per channel, in output units: 1/255 for 8 bits, 1/31 for 5
+//! functions
+// The 2x2 matrix 0 2 / 3 1, over 4. p: whole pixels.
+float bayer2(vec2 p) {
+  p = mod(p, 2.0);
+  return fract(0.5 * p.x + 0.75 * p.y);
+}
+
+// The 4x4 matrix from two 2x2 ones, centred: -15/32 to +15/32.
+float bayer4(vec2 p) {
+  return bayer2(floor(0.5 * p)) * 0.25 + bayer2(p) - 0.46875;
+}
+//! main
+  color += bayer4(floor(gl_FragCoord.xy)) * uDither;

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+// The sum that lights are added to.
+//! main
+  Sum sum = Sum(base.rgb, color);

@@ -1,5 +1,0 @@
-// A square root.
-//! functions
-float root(float x) {
-  return sqrt(x);
-}

@@ -1,3 +1,0 @@
-// Perceptual roughness, 0-1.
-//! main
-  float roughness = orm.g * uMetallicRoughness.y;

@@ -1,3 +1,0 @@
-// The render equation's sum.
-//! main
-  vec3 color = base.rgb * diffuse + specular;

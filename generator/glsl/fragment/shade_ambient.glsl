@@ -1,3 +1,0 @@
-// Ambient light alone.
-//! main
-  vec3 color = base.rgb * diffuse;

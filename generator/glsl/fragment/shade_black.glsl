@@ -1,3 +1,0 @@
-// Nothing lights this surface.
-//! main
-  vec3 color = vec3(0.0);

@@ -1,3 +1,0 @@
-// No light: the base colour is the picture.
-//! main
-  vec3 color = base.rgb;

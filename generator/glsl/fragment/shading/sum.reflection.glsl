@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+// All light.
+//! main
+  color = sum.color;

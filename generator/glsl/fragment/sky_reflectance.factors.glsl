@@ -1,3 +1,0 @@
-// Metals do not scatter the sky's light.
-//! main
-  diffuse *= uReflectance.x;

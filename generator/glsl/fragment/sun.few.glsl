@@ -1,7 +1,0 @@
-// One sun: its direction is the same everywhere.
-//! declarations
-uniform vec3 u${light}Direction; // lights: towards the sun, unit, world space
-uniform vec3 u${light}Radiance; // lights: linear irradiance / pi
-//! main
-  vec4 angles${light} = lightAngles(normal, vToCamera, scale, nDotV, u${light}Direction);
-  addLight(u${light}Radiance, angles${light}, nDotV, surface, diffuse, specular);

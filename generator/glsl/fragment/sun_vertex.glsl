@@ -1,7 +1,0 @@
-// One sun whose vectors came from the vertex shader.
-//! declarations
-uniform mediump vec3 u${light}Direction; // lights: towards the sun, unit, world space
-uniform vec3 u${light}Radiance; // lights: linear irradiance / pi
-//! main
-  vec4 angles${light} = lightAngles(normal, nDotV, reach, u${light}Direction, vVDotL.${lane}, vFresnel.${lane});
-  addLight(u${light}Radiance, angles${light}, nDotV, surface, diffuse, specular);

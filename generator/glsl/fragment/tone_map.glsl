@@ -1,3 +1,0 @@
-// Once, after all lights are summed.
-//! main
-  color = toneMap(color);

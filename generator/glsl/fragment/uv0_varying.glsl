@@ -1,3 +1,0 @@
-// Takes vUv0 from the vertex shader.
-//! declarations
-varying vec2 vUv0;

@@ -1,3 +1,0 @@
-// Takes vUv1 from the vertex shader.
-//! declarations
-varying vec2 vUv1;

@@ -1,3 +1,0 @@
-// The occlusion, to be looked at.
-//! main
-  vec3 color = vec3(occlusion);

@@ -1,3 +1,0 @@
-// No occlusion: white.
-//! main
-  vec3 color = vec3(1.0);

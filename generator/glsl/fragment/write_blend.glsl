@@ -1,3 +1,0 @@
-// The pixel, to be blended over what is there; alpha is straight.
-//! main
-  gl_FragColor = vec4(color, base.a);

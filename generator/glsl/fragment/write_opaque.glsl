@@ -1,3 +1,0 @@
-// The pixel, opaque.
-//! main
-  gl_FragColor = vec4(color, 1.0);

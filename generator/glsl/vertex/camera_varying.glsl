@@ -1,5 +1,0 @@
-// Hands the vector to the eye to the fragment shader, which normalises it.
-//! declarations
-varying vec3 vToCamera;
-//! main
-  vToCamera = toCamera;

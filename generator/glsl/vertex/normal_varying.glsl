@@ -1,5 +1,0 @@
-// Hands the normal to the fragment shader.
-//! declarations
-varying vec3 vNormal;
-//! main
-  vNormal = normal;

@@ -1,6 +1,0 @@
-// The vector from the vertex to the eye, in world space, not normalised.
-//! declarations
-uniform mat4 uModel; // object: model space to world space
-uniform vec3 uCameraPosition; // frame: world space
-//! main
-  vec3 toCamera = uCameraPosition - (uModel * vec4(aPosition, 1.0)).xyz;
