@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "backends.h"
+#include "egl.h"
 
-#include <EGL/egl.h>
 #include <EGL/eglext.h>
 
 #include <optional>
@@ -11,54 +11,16 @@ namespace franken::platform {
 
 namespace {
 
-struct NamedError {
-    EGLint error;
-    const char* name;
-};
-
-constexpr NamedError kErrors[] = {
-    {EGL_SUCCESS, "no error"},
-    {EGL_NOT_INITIALIZED, "EGL_NOT_INITIALIZED"},
-    {EGL_BAD_ACCESS, "EGL_BAD_ACCESS"},
-    {EGL_BAD_ALLOC, "EGL_BAD_ALLOC"},
-    {EGL_BAD_ATTRIBUTE, "EGL_BAD_ATTRIBUTE"},
-    {EGL_BAD_CONFIG, "EGL_BAD_CONFIG"},
-    {EGL_BAD_CONTEXT, "EGL_BAD_CONTEXT"},
-    {EGL_BAD_CURRENT_SURFACE, "EGL_BAD_CURRENT_SURFACE"},
-    {EGL_BAD_DISPLAY, "EGL_BAD_DISPLAY"},
-    {EGL_BAD_MATCH, "EGL_BAD_MATCH"},
-    {EGL_BAD_NATIVE_PIXMAP, "EGL_BAD_NATIVE_PIXMAP"},
-    {EGL_BAD_NATIVE_WINDOW, "EGL_BAD_NATIVE_WINDOW"},
-    {EGL_BAD_PARAMETER, "EGL_BAD_PARAMETER"},
-    {EGL_BAD_SURFACE, "EGL_BAD_SURFACE"},
-    {EGL_CONTEXT_LOST, "EGL_CONTEXT_LOST"},
-};
-
-std::string nameOf(EGLint error) {
-    for (const NamedError& row : kErrors)
-        if (row.error == error)
-            return row.name;
-    return "EGL error " + std::to_string(error);
-}
-
-/// Of the call that failed just now.
-Error lastError(const char* call, const char* remedy) {
-    return Error{"surface.driver", call, "the driver reports " + nameOf(eglGetError()), remedy};
-}
-
-constexpr const char* kInstall =
-    "install the Debian packages libegl1, libegl-mesa0 and libgl1-mesa-dri, or choose another backend";
-
 /// EGL keeps one such display for the process, and eglTerminate() would take all contexts with it: whoever
-/// comes first opens it, and it stays.
+/// comes first opens it, and it stays. Opening it again is free; where it failed, it is tried anew.
 Result<EGLDisplay> openDisplay() {
     const EGLDisplay display =
         eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY)
         return Error{"surface.not-installed", "eglGetPlatformDisplay",
-                     "no EGL driver offers EGL_PLATFORM_SURFACELESS_MESA", kInstall};
+                     "no EGL driver offers EGL_PLATFORM_SURFACELESS_MESA", kInstallEgl};
     if (!eglInitialize(display, nullptr, nullptr))
-        return lastError("eglInitialize", kInstall);
+        return lastEglError("eglInitialize", kInstallEgl);
     return display;
 }
 
@@ -83,9 +45,10 @@ std::optional<EGLConfig> chooseConfig(EGLDisplay display, int depthBits, int sam
     return std::nullopt;
 }
 
-class EglSurface final : public Surface {
+class EglSurface final : public ImmediateSurface {
 public:
-    EglSurface(EGLDisplay display, Size size) : Surface(Backend::EglSurfaceless, size), m_display(display) {}
+    EglSurface(EGLDisplay display, Size size)
+        : ImmediateSurface(Backend::EglSurfaceless, size), m_display(display) {}
 
     ~EglSurface() override {
         letGo();
@@ -97,13 +60,10 @@ public:
 
     Result<void> open(const SurfaceOptions& options);
 
-    GetProcAddress getProcAddress() const override {
-        return [](const char* name) { return reinterpret_cast<void*>(eglGetProcAddress(name)); };
-    }
-
-    Result<void> present() override;
+    GetProcAddress getProcAddress() const override { return eglFunction; }
 
 protected:
+    Result<void> swap() override { return swapEglBuffers(m_display, m_pbuffer); }
     Result<void> bind() override;
     void unbind() override { eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
@@ -128,13 +88,13 @@ Result<void> EglSurface::open(const SurfaceOptions& options) {
     eglBindAPI(EGL_OPENGL_ES_API);
     m_context = eglCreateContext(m_display, *config, EGL_NO_CONTEXT, version);
     if (m_context == EGL_NO_CONTEXT)
-        return lastError("eglCreateContext", kInstall);
+        return lastEglError("eglCreateContext", kInstallEgl);
     m_pbuffer = createPbuffer(*config, options.srgb);
     m_srgbTarget = options.srgb && m_pbuffer != EGL_NO_SURFACE;
     if (m_pbuffer == EGL_NO_SURFACE)
         m_pbuffer = createPbuffer(*config, false);
     if (m_pbuffer == EGL_NO_SURFACE)
-        return lastError("eglCreatePbufferSurface", "choose a smaller size");
+        return lastEglError("eglCreatePbufferSurface", "choose a smaller size");
     eglGetConfigAttrib(m_display, *config, EGL_SAMPLES, &m_samples);
     return makeReady();
 }
@@ -150,22 +110,14 @@ EGLSurface EglSurface::createPbuffer(EGLConfig config, bool srgb) const {
 
 Result<void> EglSurface::bind() {
     if (!eglMakeCurrent(m_display, m_pbuffer, m_pbuffer, m_context))
-        return lastError("eglMakeCurrent", "destroy or release the surface in the thread that uses it");
+        return lastEglError("eglMakeCurrent", "destroy or release the surface in the thread that uses it");
     return {};
-}
-
-Result<void> EglSurface::present() {
-    if (eglSwapBuffers(m_display, m_pbuffer))
-        return {};
-    const EGLint error = eglGetError();
-    return Error{error == EGL_CONTEXT_LOST ? "surface.lost" : "surface.driver", "eglSwapBuffers",
-                 "the driver reports " + nameOf(error), "make a new surface"};
 }
 
 } // namespace
 
 Result<std::unique_ptr<Surface>> createEglSurfaceless(const SurfaceOptions& options) {
-    static const Result<EGLDisplay> display = openDisplay();
+    const Result<EGLDisplay> display = openDisplay();
     if (!display)
         return display.error();
     auto surface = std::make_unique<EglSurface>(*display, options.size);

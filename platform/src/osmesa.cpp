@@ -54,10 +54,10 @@ Result<Library> Library::open() {
     return library;
 }
 
-class OsMesaSurface final : public Surface {
+class OsMesaSurface final : public ImmediateSurface {
 public:
     OsMesaSurface(const Library& library, OSMesaContext context, Size size)
-        : Surface(Backend::OsMesa, size),
+        : ImmediateSurface(Backend::OsMesa, size),
           m_library(library),
           m_context(context),
           m_pixels(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height)) {}
@@ -73,11 +73,11 @@ public:
         };
     }
 
-    Result<void> present() override { return {}; }
-
     Result<void> open();
 
 protected:
+    Result<void> swap() override { return {}; }
+
     Result<void> bind() override {
         if (!m_library.makeCurrent(m_context, m_pixels.data(), GL_UNSIGNED_BYTE, m_size.width, m_size.height))
             return Error{"surface.driver", "OSMesaMakeCurrent", "the driver refuses the target",
@@ -110,7 +110,7 @@ Result<void> OsMesaSurface::open() {
 } // namespace
 
 Result<std::unique_ptr<Surface>> createOsMesa(const SurfaceOptions& options) {
-    static const Result<Library> library = Library::open();
+    const Result<Library> library = Library::open(); // Loaded once; where it failed, it is tried anew.
     if (!library)
         return library.error();
     const OSMesaContext context = library->createContext(OSMESA_RGBA, options.depthBits, 0, 0, nullptr);

@@ -17,7 +17,12 @@ struct BackendRow {
 };
 
 /// In the order of the enumeration.
-constexpr BackendRow kBackends[] = {{"osmesa", createOsMesa}, {"egl", createEglSurfaceless}};
+constexpr BackendRow kBackends[] = {
+    {"osmesa", createOsMesa}, {"egl", createEglSurfaceless}, {"kms", createKms}, {"window", createWindow}};
+
+/// In the order of the enumeration.
+constexpr std::string_view kStates[] = {"ready",   "busy",       "no screen", "paused",
+                                        "blanked", "recovering", "failed"};
 
 const BackendRow& rowOf(Backend backend) { return kBackends[static_cast<std::size_t>(backend)]; }
 
@@ -56,6 +61,29 @@ void Surface::letGo() {
     currentSurface = nullptr;
 }
 
+Result<bool> Surface::begin() {
+    if (m_state != SurfaceState::Ready)
+        return false;
+    if (Result<void> current = makeCurrent(); !current)
+        return current.error();
+    frameBegun();
+    m_begun = true;
+    return true;
+}
+
+Result<void> Surface::submit() {
+    if (!m_begun)
+        return Error{"surface.state", "submit", "no frame was begun",
+                     "draw and submit only where begin() returned true"};
+    m_begun = false;
+    return finishFrame();
+}
+
+Result<void> Surface::blank(Blanking) {
+    return Error{"surface.unsupported", std::string(toString(m_backend)),
+                 "this surface has no screen to make dark", "use the backend kms"};
+}
+
 Result<void> Surface::makeReady() {
     if (Result<void> current = makeCurrent(); !current)
         return current;
@@ -72,6 +100,8 @@ Result<void> Surface::makeReady() {
 }
 
 std::string_view toString(Backend backend) { return rowOf(backend).text; }
+
+std::string_view toString(SurfaceState state) { return kStates[static_cast<std::size_t>(state)]; }
 
 Result<Backend> parseBackend(std::string_view text) {
     std::string choices;

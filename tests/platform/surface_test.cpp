@@ -85,7 +85,10 @@ TEST_P(SurfaceTest, ComesUpAndSaysWhatItIs) {
     GLint depthBits = 0;
     gl().GetIntegerv(GL_DEPTH_BITS, &depthBits);
     EXPECT_GE(depthBits, 24);
-    EXPECT_TRUE(surface().present());
+    ASSERT_TRUE(surface().begin().value());
+    EXPECT_TRUE(surface().submit());
+    EXPECT_FALSE(surface().begin().value()); // One frame at a time.
+    EXPECT_EQ(surface().dispatch().completed->sequence, 1u);
     EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
 }
 

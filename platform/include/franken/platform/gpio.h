@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+#include "franken/log.h"
+#include "franken/platform/press.h"
+#include "franken/result.h"
+
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// Buttons, rotary encoders and outputs on GPIO lines, by libgpiod 1.6 or 2.x. Nothing here waits: poll the descriptors
+/// and call dispatch() when they are readable.
+///
+/// A line that is missing, or that another program holds, is told to the log once and asked for again each second,
+/// for as long as it takes; so is one whose chip goes while it is used.
+namespace franken {
+namespace FRANKEN_API platform {
+
+/// A line of a chip.
+struct GpioPin {
+    /// Its number on the chip; on a Raspberry Pi the number that its documentation and `pinout` give: 17 is GPIO17
+    /// (pin 11 of the header) on every model.
+    unsigned number = 0;
+    /// The chip's label, name or path ("pinctrl-bcm2711", "gpiochip0"). Empty: that of the Pi's header, by its
+    /// label: numbers of chips and names of lines differ between models and have changed during the Pi 5's life.
+    std::string chip = {};
+};
+
+enum class Pull {
+    None,  ///< Off: there is a resistor outside.
+    Up,    ///< For a button to ground.
+    Down,  ///< For a button to 3.3 V.
+    AsIs   ///< As the device tree or another program left it.
+};
+
+struct ButtonOptions {
+    std::string name; ///< What its events are called.
+    GpioPin pin;
+    Pull pull = Pull::Up;
+    bool activeLow = true; ///< Pressed means 0 V.
+    PressOptions press = {};
+};
+
+struct ButtonEvent {
+    std::string name;
+    Press press;
+    /// By the kernel's clock for edges. To be compared with other such stamps and with nothing else.
+    std::chrono::nanoseconds time;
+};
+
+struct EncoderOptions {
+    std::string name;
+    GpioPin a, b;
+    Pull pull = Pull::Up;
+    bool activeLow = true;
+    int transitionsPerStep = 4; ///< 4 where it rests with both contacts open, 2 or 1 for others.
+};
+
+struct EncoderEvent {
+    std::string name;
+    int steps; ///< Positive where a leads b: clockwise, if it is wired as most are.
+};
+
+/// All buttons and encoders of a program.
+class GpioInputs {
+public:
+    GpioInputs(std::vector<ButtonOptions> buttons, std::vector<EncoderOptions> encoders, Log log);
+    ~GpioInputs();
+
+    struct Events {
+        std::vector<ButtonEvent> buttons;
+        std::vector<EncoderEvent> encoders;
+    };
+
+    /// Polls as readable when dispatch() has something to do.
+    int descriptor() const;
+    Events dispatch();
+
+    /// Whether all lines are there.
+    bool complete() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+/// A lamp, or the transistor of a backlight.
+class GpioOutput {
+public:
+    /// Never fails: what is missing is asked for again by every set().
+    GpioOutput(GpioPin pin, bool activeLow, bool initial, Log log);
+    ~GpioOutput();
+    /// Fails with `gpio.busy`, `gpio.missing` or `gpio.driver`; the wish is kept for when the line can be had.
+    Result<void> set(bool on);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace platform
+} // namespace franken

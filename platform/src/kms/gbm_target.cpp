@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "gbm_target.h"
+
+#include <EGL/eglext.h>
+#include <gbm.h>
+
+#include <cerrno>
+
+namespace franken::platform {
+
+namespace {
+
+constexpr std::uint32_t kUse = GBM_BO_USE_SCANOUT | GBM_BO_USE_RENDERING;
+
+/// What a buffer of GBM carries with it.
+struct Attached {
+    KmsDevice& device;
+    std::uint32_t framebuffer;
+    ~Attached() { device.removeFramebuffer(framebuffer); }
+};
+
+KmsBuffer describe(gbm_bo* buffer, bool withModifier) {
+    return {{static_cast<int>(gbm_bo_get_width(buffer)), static_cast<int>(gbm_bo_get_height(buffer))},
+            gbm_bo_get_format(buffer),
+            withModifier ? gbm_bo_get_modifier(buffer) : DRM_FORMAT_MOD_INVALID,
+            gbm_bo_get_handle(buffer).u32,
+            gbm_bo_get_stride(buffer),
+            gbm_bo_get_offset(buffer, 0)};
+}
+
+} // namespace
+
+Result<std::unique_ptr<GbmTarget>> GbmTarget::open(KmsDevice& device, int depthBits, int samples) {
+    std::unique_ptr<GbmTarget> target(new GbmTarget(device, depthBits, samples));
+    if (Result<void> opened = target->openContext(); !opened)
+        return opened.error();
+    return target;
+}
+
+GbmTarget::~GbmTarget() {
+    dropTarget();
+    if (m_tried != nullptr)
+        gbm_bo_destroy(m_tried);
+    if (m_context != EGL_NO_CONTEXT)
+        eglDestroyContext(m_display, m_context);
+    if (m_display != EGL_NO_DISPLAY)
+        eglTerminate(m_display);
+    if (m_gbm != nullptr)
+        gbm_device_destroy(m_gbm);
+}
+
+Result<void> GbmTarget::openContext() {
+    m_gbm = gbm_create_device(m_device.descriptor());
+    if (m_gbm == nullptr)
+        return Error{"surface.driver", "gbm_create_device", "no driver of Mesa's takes " + m_device.node(),
+                     kInstallEgl};
+    m_display = eglGetPlatformDisplay(EGL_PLATFORM_GBM_KHR, m_gbm, nullptr);
+    if (m_display == EGL_NO_DISPLAY)
+        return lastEglError("eglGetPlatformDisplay", kInstallEgl);
+    if (!eglInitialize(m_display, nullptr, nullptr))
+        return lastEglError("eglInitialize", kInstallEgl);
+    eglBindAPI(EGL_OPENGL_ES_API);
+    // Without a config (EGL_KHR_no_config_context) it goes with targets of any format.
+    const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
+    m_context = eglCreateContext(m_display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, version);
+    if (m_context == EGL_NO_CONTEXT)
+        return lastEglError("eglCreateContext", kInstallEgl);
+    return {};
+}
+
+Result<EGLConfig> GbmTarget::chooseConfig(std::uint32_t fourcc, int samples) const {
+    const EGLint attributes[] = {
+        EGL_DEPTH_SIZE,     m_depthBits, EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_RENDERABLE_TYPE,
+        EGL_OPENGL_ES2_BIT, EGL_SAMPLES, samples,          EGL_NONE};
+    EGLint count = 0;
+    eglChooseConfig(m_display, attributes, nullptr, 0, &count);
+    std::vector<EGLConfig> configs(static_cast<std::size_t>(count));
+    eglChooseConfig(m_display, attributes, configs.data(), count, &count);
+    for (EGLConfig config : configs) {
+        EGLint visual = 0;
+        if (eglGetConfigAttrib(m_display, config, EGL_NATIVE_VISUAL_ID, &visual) &&
+            static_cast<std::uint32_t>(visual) == fourcc)
+            return config;
+    }
+    return Error{"surface.driver", "eglChooseConfig", "the driver draws to no buffer of the screen's format",
+                 "choose another format"};
+}
+
+int GbmTarget::tryBuffer(Size size, const FormatChoice& format, KmsBuffer& buffer) {
+    if (m_tried != nullptr)
+        gbm_bo_destroy(std::exchange(m_tried, nullptr));
+    if (!chooseConfig(format.fourcc, 0))
+        return -EINVAL;
+    const auto width = static_cast<std::uint32_t>(size.width),
+               height = static_cast<std::uint32_t>(size.height);
+    const bool withModifier = !format.modifiers.empty();
+    m_tried =
+        withModifier
+            ? gbm_bo_create_with_modifiers2(m_gbm, width, height, format.fourcc, format.modifiers.data(),
+                                            static_cast<unsigned>(format.modifiers.size()), kUse)
+            : gbm_bo_create(m_gbm, width, height, format.fourcc, kUse);
+    // Whatever the reason (GBM leaves different ones in errno), it is this way of making it that failed.
+    if (m_tried == nullptr || (withModifier && gbm_bo_get_modifier(m_tried) == DRM_FORMAT_MOD_INVALID))
+        return -EINVAL;
+    buffer = describe(m_tried, withModifier);
+    return 0;
+}
+
+Result<void> GbmTarget::makeTarget(const KmsBuffer& like, PixelFormat) {
+    dropTarget();
+    m_like = like;
+    Result<EGLConfig> config = chooseConfig(like.format, m_wantedSamples);
+    if (!config)
+        config = chooseConfig(like.format, 0);
+    if (!config)
+        return config.error();
+    const auto width = static_cast<std::uint32_t>(like.size.width),
+               height = static_cast<std::uint32_t>(like.size.height);
+    m_surface =
+        like.modifier == DRM_FORMAT_MOD_INVALID
+            ? gbm_surface_create(m_gbm, width, height, like.format, kUse)
+            : gbm_surface_create_with_modifiers2(m_gbm, width, height, like.format, &like.modifier, 1, kUse);
+    if (m_surface == nullptr)
+        return Error{"surface.driver", "gbm_surface_create", "the driver makes no such buffers",
+                     "choose a smaller mode"};
+    m_window = eglCreatePlatformWindowSurface(m_display, *config, m_surface, nullptr);
+    if (m_window == EGL_NO_SURFACE)
+        return lastEglError("eglCreatePlatformWindowSurface", "choose a smaller mode");
+    eglGetConfigAttrib(m_display, *config, EGL_SAMPLES, &m_samples);
+    ++m_generation;
+    return bind();
+}
+
+void GbmTarget::dropTarget() {
+    if (m_display != EGL_NO_DISPLAY)
+        unbind();
+    if (m_window != EGL_NO_SURFACE)
+        eglDestroySurface(m_display, std::exchange(m_window, EGL_NO_SURFACE));
+    if (m_surface != nullptr)
+        gbm_surface_destroy(std::exchange(m_surface, nullptr));
+    m_locked.clear();
+}
+
+Result<void> GbmTarget::bind() {
+    if (!eglMakeCurrent(m_display, m_window, m_window, m_context))
+        return lastEglError("eglMakeCurrent", "destroy or release the surface in the thread that uses it");
+    return {};
+}
+
+void GbmTarget::unbind() { eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+
+Result<std::uint32_t> GbmTarget::swap() {
+    if (Result<void> swapped = swapEglBuffers(m_display, m_window); !swapped)
+        return swapped.error();
+    gbm_bo* buffer = gbm_surface_lock_front_buffer(m_surface);
+    if (buffer == nullptr)
+        return Error{"surface.driver", "gbm_surface_lock_front_buffer", "the driver hands out no buffer",
+                     "make a new surface"};
+    Result<std::uint32_t> framebuffer = framebufferOf(buffer);
+    if (framebuffer)
+        m_locked[*framebuffer] = buffer;
+    else
+        gbm_surface_release_buffer(m_surface, buffer);
+    return framebuffer;
+}
+
+Result<std::uint32_t> GbmTarget::framebufferOf(gbm_bo* buffer) {
+    if (const auto* attached = static_cast<const Attached*>(gbm_bo_get_user_data(buffer)))
+        return attached->framebuffer;
+    std::uint32_t framebuffer = 0;
+    const bool withModifier = m_like.modifier != DRM_FORMAT_MOD_INVALID;
+    if (const int error = m_device.addFramebuffer(describe(buffer, withModifier), framebuffer); error != 0)
+        return Error{"surface.driver", m_device.node(), "the kernel takes no more framebuffers",
+                     "choose a smaller mode, or give the kernel more memory (cma=)"};
+    gbm_bo_set_user_data(buffer, new Attached{m_device, framebuffer},
+                         [](gbm_bo*, void* attached) { delete static_cast<Attached*>(attached); });
+    return framebuffer;
+}
+
+void GbmTarget::release(std::uint32_t framebuffer) {
+    if (const auto locked = m_locked.find(framebuffer); locked != m_locked.end()) {
+        gbm_surface_release_buffer(m_surface, locked->second);
+        m_locked.erase(locked);
+    }
+}
+
+} // namespace franken::platform

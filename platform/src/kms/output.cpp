@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "output.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace franken::platform {
+
+namespace {
+
+constexpr std::string_view kBuiltIn[] = {"DSI-", "DPI-", "LVDS-", "eDP-"};
+constexpr std::string_view kPlugs[] = {"HDMI-", "DP-", "DVI-", "VGA-"};
+
+bool startsWithOne(std::string_view name, const auto& prefixes) {
+    return std::any_of(std::begin(prefixes), std::end(prefixes),
+                       [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
+const KmsPlane* primaryPlane(const KmsResources& resources, std::size_t crtc) {
+    for (const KmsPlane& plane : resources.planes)
+        if ((plane.possibleCrtcs >> crtc & 1u) != 0 && plane.word("type") == "Primary")
+            return &plane;
+    return nullptr;
+}
+
+bool servesAnother(const KmsResources& resources, const KmsObject& crtc, const KmsConnector& connector) {
+    return std::any_of(resources.connectors.begin(), resources.connectors.end(),
+                       [&](const KmsConnector& other) {
+                           return other.id != connector.id && other.value("CRTC_ID") == crtc.id;
+                       });
+}
+
+} // namespace
+
+int kindRank(std::string_view connector) {
+    if (startsWithOne(connector, kBuiltIn))
+        return 0;
+    return startsWithOne(connector, kPlugs) ? 1 : 2;
+}
+
+bool isUsable(const KmsConnector& connector, const ScreenOptions& options) {
+    if (options.assumeConnected && connector.name == options.output)
+        return true;
+    return !connector.modes.empty() && connector.connection != Connection::Disconnected;
+}
+
+const KmsConnector* chooseConnector(const KmsResources& resources, const ScreenOptions& options) {
+    const auto order = [](const KmsConnector& connector) {
+        return std::tuple(connector.connection == Connection::Unknown, kindRank(connector.name),
+                          connector.name);
+    };
+    const KmsConnector* best = nullptr;
+    for (const KmsConnector& connector : resources.connectors) {
+        if (!options.output.empty() && connector.name != options.output)
+            continue;
+        if (isUsable(connector, options) && (best == nullptr || order(connector) < order(*best)))
+            best = &connector;
+    }
+    return best;
+}
+
+std::optional<KmsPipe> choosePipe(const KmsResources& resources, const KmsConnector& connector) {
+    std::optional<KmsPipe> shared;
+    for (std::size_t i = 0; i < resources.crtcs.size(); ++i) {
+        const KmsPlane* plane = primaryPlane(resources, i);
+        if ((connector.possibleCrtcs >> i & 1u) == 0 || plane == nullptr)
+            continue;
+        const KmsPipe pipe{connector, resources.crtcs[i], *plane};
+        if (!servesAnother(resources, pipe.crtc, connector))
+            return pipe;
+        if (!shared)
+            shared = pipe;
+    }
+    return shared;
+}
+
+} // namespace franken::platform
