@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// libgpiod 1.6, of Debian 12. Its event descriptor reads edges one at a time and blocks, so it is asked first.
+// libgpiod 1.6, of Debian 12. Its event descriptor reads edges one at a time and blocks, so it is asked
+// first.
 #include "line.h"
 
 #include <gpiod.h>
@@ -19,10 +20,14 @@ using Chip = std::unique_ptr<gpiod_chip, CloseChip>;
 
 int biasFlag(Pull pull) {
     switch (pull) {
-    case Pull::None: return GPIOD_LINE_REQUEST_FLAG_BIAS_DISABLE;
-    case Pull::Up: return GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP;
-    case Pull::Down: return GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN;
-    case Pull::AsIs: break;
+    case Pull::None:
+        return GPIOD_LINE_REQUEST_FLAG_BIAS_DISABLE;
+    case Pull::Up:
+        return GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_UP;
+    case Pull::Down:
+        return GPIOD_LINE_REQUEST_FLAG_BIAS_PULL_DOWN;
+    case Pull::AsIs:
+        break;
     }
     return 0;
 }

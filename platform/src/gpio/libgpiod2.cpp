@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// libgpiod 2.x, of Debian 13. The kernel could debounce here, but does not with 1.6: one debouncer serves both.
+// libgpiod 2.x, of Debian 13. The kernel could debounce here, but does not with 1.6: one debouncer serves
+// both.
 #include "line.h"
 
 #include <gpiod.h>
@@ -33,10 +34,14 @@ constexpr std::size_t kEdgesAtOnce = 64;
 
 gpiod_line_bias biasOf(Pull pull) {
     switch (pull) {
-    case Pull::None: return GPIOD_LINE_BIAS_DISABLED;
-    case Pull::Up: return GPIOD_LINE_BIAS_PULL_UP;
-    case Pull::Down: return GPIOD_LINE_BIAS_PULL_DOWN;
-    case Pull::AsIs: break;
+    case Pull::None:
+        return GPIOD_LINE_BIAS_DISABLED;
+    case Pull::Up:
+        return GPIOD_LINE_BIAS_PULL_UP;
+    case Pull::Down:
+        return GPIOD_LINE_BIAS_PULL_DOWN;
+    case Pull::AsIs:
+        break;
     }
     return GPIOD_LINE_BIAS_AS_IS;
 }
@@ -66,7 +71,8 @@ private:
 int Line2::readEdges(std::vector<ContactEdge>& edges) {
     for (int more = 1; (more = gpiod_line_request_wait_edge_events(m_request.get(), 0)) != 0;) {
         const int count =
-            more < 0 ? -1 : gpiod_line_request_read_edge_events(m_request.get(), m_buffer.get(), kEdgesAtOnce);
+            more < 0 ? -1
+                     : gpiod_line_request_read_edge_events(m_request.get(), m_buffer.get(), kEdgesAtOnce);
         if (count < 0)
             return -errno;
         for (int i = 0; i < count; ++i) {

@@ -25,7 +25,8 @@ std::vector<std::string> chipPaths() {
 
 bool isMeant(const GpioChip& chip, const std::string& name) {
     if (name.empty())
-        return std::find(std::begin(kHeaderChips), std::end(kHeaderChips), chip.label) != std::end(kHeaderChips);
+        return std::find(std::begin(kHeaderChips), std::end(kHeaderChips), chip.label) !=
+               std::end(kHeaderChips);
     return name == chip.label || name == chip.name || name == chip.path;
 }
 

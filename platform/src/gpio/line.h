@@ -8,11 +8,11 @@
 namespace franken::platform {
 
 struct GpioSettings {
-    std::string chip; ///< Path.
+    std::string chip = {}; ///< Path.
     unsigned number = 0;
     bool activeLow = false;
     Pull pull = Pull::AsIs;
-    std::optional<bool> output; ///< The level at first; an input without.
+    std::optional<bool> output = {}; ///< The level at first; an input without.
 };
 
 /// A line that is ours. Calls return a negative errno where they fail.

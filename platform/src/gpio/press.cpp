@@ -29,9 +29,7 @@ std::optional<ContactEdge> Debouncer::edge(const ContactEdge& raw) {
     return before;
 }
 
-std::optional<ContactEdge> Debouncer::settled(bool active) {
-    return m_burst ? accept(active) : std::nullopt;
-}
+std::optional<ContactEdge> Debouncer::settled(bool active) { return m_burst ? accept(active) : std::nullopt; }
 
 void PressRecogniser::edge(const ContactEdge& edge, std::vector<Event>& events) {
     // What should have expired before this edge did, however late the caller is.

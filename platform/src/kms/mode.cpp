@@ -36,10 +36,12 @@ bool matches(const drm_mode_modeinfo& mode, const ModeRequest& request) {
            (request.refresh == 0 || std::lround(refreshMilliHertz(mode) / 1000.0) == request.refresh);
 }
 
-/// The kernel command line's (video=) first, then the preferred one, then larger before smaller, then faster before slower.
+/// The kernel command line's (video=) first, then the preferred one, then larger before smaller, then faster
+/// before slower.
 bool comesBefore(const drm_mode_modeinfo& a, const drm_mode_modeinfo& b) {
     const auto order = [](const drm_mode_modeinfo& mode) {
-        return std::tuple((mode.type & DRM_MODE_TYPE_USERDEF) == 0, (mode.type & DRM_MODE_TYPE_PREFERRED) == 0,
+        return std::tuple((mode.type & DRM_MODE_TYPE_USERDEF) == 0,
+                          (mode.type & DRM_MODE_TYPE_PREFERRED) == 0,
                           -int{mode.hdisplay} * int{mode.vdisplay}, -refreshMilliHertz(mode));
     };
     return order(a) < order(b);

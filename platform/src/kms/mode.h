@@ -21,8 +21,9 @@ struct ModeChoice {
 };
 
 /// What to try, in this order: what the options ask for; the modeline; the mode of the kernel's command
-/// line (video=); the preferred one; then, from the largest down, smaller ones. Those that exceed the limits come last, with a buffer that the plane scales.
-/// `maxExtent` is what the GPU can render, where the options do not say. Interlaced modes are left out.
+/// line (video=); the preferred one; then, from the largest down, smaller ones. Those that exceed the limits
+/// come last, with a buffer that the plane scales. `maxExtent` is what the GPU can render, where the options
+/// do not say. Interlaced modes are left out.
 std::vector<ModeChoice> modeChoices(const KmsConnector& connector, const ScreenOptions& options,
                                     int maxExtent);
 

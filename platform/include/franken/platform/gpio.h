@@ -11,29 +11,30 @@
 #include <string>
 #include <vector>
 
-/// Buttons, rotary encoders and outputs on GPIO lines, by libgpiod 1.6 or 2.x. Nothing here waits: poll the descriptors
-/// and call dispatch() when they are readable.
+/// Buttons, rotary encoders and outputs on GPIO lines, by libgpiod 1.6 or 2.x. Nothing here waits: poll the
+/// descriptors and call dispatch() when they are readable.
 ///
-/// A line that is missing, or that another program holds, is told to the log once and asked for again each second,
-/// for as long as it takes; so is one whose chip goes while it is used.
+/// A line that is missing, or that another program holds, is told to the log once and asked for again each
+/// second, for as long as it takes; so is one whose chip goes while it is used.
 namespace franken {
 namespace FRANKEN_API platform {
 
 /// A line of a chip.
 struct GpioPin {
-    /// Its number on the chip; on a Raspberry Pi the number that its documentation and `pinout` give: 17 is GPIO17
-    /// (pin 11 of the header) on every model.
+    /// Its number on the chip; on a Raspberry Pi the number that its documentation and `pinout` give: 17 is
+    /// GPIO17 (pin 11 of the header) on every model.
     unsigned number = 0;
-    /// The chip's label, name or path ("pinctrl-bcm2711", "gpiochip0"). Empty: that of the Pi's header, by its
-    /// label: numbers of chips and names of lines differ between models and have changed during the Pi 5's life.
+    /// The chip's label, name or path ("pinctrl-bcm2711", "gpiochip0"). Empty: that of the Pi's header, by
+    /// its label: numbers of chips and names of lines differ between models and have changed during the Pi
+    /// 5's life.
     std::string chip = {};
 };
 
 enum class Pull {
-    None,  ///< Off: there is a resistor outside.
-    Up,    ///< For a button to ground.
-    Down,  ///< For a button to 3.3 V.
-    AsIs   ///< As the device tree or another program left it.
+    None, ///< Off: there is a resistor outside.
+    Up,   ///< For a button to ground.
+    Down, ///< For a button to 3.3 V.
+    AsIs  ///< As the device tree or another program left it.
 };
 
 struct ButtonOptions {
@@ -93,7 +94,8 @@ public:
     /// Never fails: what is missing is asked for again by every set().
     GpioOutput(GpioPin pin, bool activeLow, bool initial, Log log);
     ~GpioOutput();
-    /// Fails with `gpio.busy`, `gpio.missing` or `gpio.driver`; the wish is kept for when the line can be had.
+    /// Fails with `gpio.busy`, `gpio.missing` or `gpio.driver`; the wish is kept for when the line can be
+    /// had.
     Result<void> set(bool on);
 
 private:

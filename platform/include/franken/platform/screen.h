@@ -70,7 +70,8 @@ struct ScreenOptions {
     /// The kernel driver of the node ("vc4"), where two nodes have a connector of that name; empty: any.
     std::string driver = {};
 
-    std::optional<ModeRequest> mode = {}; ///< Empty: that of the kernel's command line (video=), or the screen's preferred one.
+    std::optional<ModeRequest> mode =
+        {};            ///< Empty: that of the kernel's command line (video=), or the screen's preferred one.
     int maxExtent = 0; ///< Largest width and height of the buffer; 0: what GL_MAX_TEXTURE_SIZE says.
     int maxPixels = 2560 * 1440; ///< Most pixels of the buffer: 4K is more than a Pi 4 fills.
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+#include "franken/log.h"
+#include "franken/platform/rotation.h"
+#include "franken/result.h"
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// Touch, keyboards and mice, by libinput. They may be plugged and unplugged at any time. Nothing here waits:
+/// poll the descriptor and call dispatch() when it is readable.
+namespace franken {
+namespace FRANKEN_API platform {
+
+struct InputOptions {
+    /// How the screen is mounted (Surface::rotation()): a touch sensor is taken to be mounted with it.
+    Rotation screen = Rotation::None;
+
+    /// How the touch sensor is mounted, as the viewer sees it, where that is something else. What udev says
+    /// of it (LIBINPUT_CALIBRATION_MATRIX) does not count then, so that it is not turned twice; without it
+    /// that is applied first, and the screen's rotation after it.
+    std::optional<Rotation> touch = {};
+
+    /// Take keyboards and touch for this program alone, so that nothing else (the console behind) reads them.
+    bool grab = false;
+
+    std::string seat = "seat0"; ///< As udev and logind have it.
+    Log log = {};               ///< Told what is plugged and unplugged.
+};
+
+struct TouchEvent {
+    enum class Kind {
+        Down,
+        Move,
+        Up,
+        Cancel ///< It does not count: the device was unplugged, or a palm was found to be one.
+    };
+    Kind kind;
+    int finger;     ///< Which of several; a number that is used again after Up and Cancel.
+    Point position; ///< As the viewer sees it; the last known for Up and Cancel.
+    std::chrono::microseconds time;
+};
+
+struct KeyEvent {
+    unsigned key; ///< As <linux/input-event-codes.h> has it: KEY_LEFT is 105.
+    bool down;
+    std::chrono::microseconds time;
+};
+
+struct PointerEvent {
+    Point moved = {};    ///< Pixels of the viewer's picture to the right and down, of a mouse.
+    unsigned button = 0; ///< BTN_LEFT is 0x110; 0 for motion.
+    bool down = false;
+    std::chrono::microseconds time;
+};
+
+struct DeviceEvent {
+    std::string name;
+    bool plugged;
+    bool touch, keyboard, pointer; ///< What it can do.
+};
+
+using InputEvent = std::variant<TouchEvent, KeyEvent, PointerEvent, DeviceEvent>;
+
+class Input {
+public:
+    /// Fails with `input.not-built` where the library was built without libinput, and with `input.driver`
+    /// where udev or the seat cannot be had. No device at all is no error.
+    static Result<std::unique_ptr<Input>> open(const InputOptions& options);
+    ~Input();
+
+    int descriptor() const;
+    std::vector<InputEvent> dispatch();
+
+    /// When the surface's rotation has changed.
+    void setScreenRotation(Rotation rotation);
+
+private:
+    struct State;
+    explicit Input(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace platform
+} // namespace franken

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+#include "franken/platform/surface.h"
+
+#include <chrono>
+#include <optional>
+
+/// A GPU that hangs tells nobody on a Raspberry Pi: Mesa's vc4 and v3d never report a lost context. It shows
+/// as frames that are not completed, as garbage, or as errors of GL. GpuHealth asks the GPU, Watch judges.
+namespace franken {
+namespace FRANKEN_API platform {
+
+/// Asks the GPU of the context that is current. The calls wait for it: a GPU that never answers freezes the
+/// loop, and the service manager's watchdog ends it.
+class GpuHealth {
+public:
+    explicit GpuHealth(const GetProcAddress& getProcAddress);
+
+    /// Draws a canary, one pixel of a colour that differs from the last one, into a target of its own, and
+    /// reads it back: false where the GPU did not draw it. The framebuffer binding, clear colour, colour mask
+    /// and scissor test are put back; asks GL for them, so call it once a minute and not in every frame.
+    bool canaryLives();
+
+    /// The first error since the last call, as glGetError() names it; 0 without. Once a second is enough.
+    unsigned takeError();
+
+private:
+    struct Functions;
+    std::shared_ptr<const Functions> m_gl;
+    unsigned m_framebuffer = 0, m_colour = 0;
+    unsigned m_turn = 0;
+};
+
+struct WatchOptions {
+    /// A frame that is not completed after so long is a fault. A KMS surface acts itself, after
+    /// ScreenOptions::flipTimeout; this is for what it cannot see, so let it be longer.
+    std::chrono::milliseconds frameLimit{12'000};
+    std::chrono::milliseconds canaryInterval{60'000};
+    std::chrono::milliseconds errorInterval{1'000};
+    int errorLimit = 5; ///< Errors of GL in so many intervals, one after the other, are a fault.
+    /// A fault so long after the last one is a first one again.
+    std::chrono::milliseconds forgetAfter{600'000};
+};
+
+/// The ladder: at the first fault the screen is set again; at the next the process is to end with an error;
+/// the unit's StartLimitAction reboots the machine where that happens too often. Time is handed in: no clock
+/// in here.
+class Watch {
+public:
+    using Time = std::chrono::nanoseconds;
+    explicit Watch(const WatchOptions& options = {}) : m_options(options) {}
+
+    void submitted(Time now) { m_submitted = now; }
+    void completed() { m_submitted.reset(); }
+    /// Nothing is drawn for now (no screen, blanked, paused): nothing is overdue.
+    void idle() { m_submitted.reset(); }
+
+    /// Whether it is time to ask; true once for each interval.
+    bool canaryDue(Time now) { return isDue(m_canary, m_options.canaryInterval, now); }
+    bool errorDue(Time now) { return isDue(m_error, m_options.errorInterval, now); }
+    void canary(bool lives) { m_deadCanary = !lives; }
+    void error(unsigned glError) { m_errors = glError == 0 ? 0 : m_errors + 1; }
+
+    enum class Step {
+        None,
+        ResetScreen, ///< Surface::resetScreen().
+        Exit         ///< End the process, with reason() as the last words.
+    };
+    /// What to do now. Each fault is answered once.
+    Step step(Time now);
+    const std::string& reason() const { return m_reason; }
+
+private:
+    static bool isDue(std::optional<Time>& last, Time interval, Time now);
+    std::optional<std::string> fault(Time now) const;
+
+    WatchOptions m_options;
+    std::optional<Time> m_submitted, m_canary, m_error, m_lastFault;
+    bool m_deadCanary = false;
+    int m_errors = 0;
+    std::string m_reason;
+};
+
+} // namespace platform
+} // namespace franken
