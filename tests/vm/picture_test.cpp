@@ -5,6 +5,8 @@
 
 #include <drm_fourcc.h>
 
+#include <algorithm>
+
 namespace franken::test {
 namespace {
 
@@ -20,7 +22,8 @@ public:
           m_framebuffer(gl, generate(gl.GenFramebuffers)) {
         gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
         attach(gl, m_colour.name(), GL_RGB565, GL_COLOR_ATTACHMENT0, size);
-        attach(gl, m_depth.name(), GL_DEPTH_COMPONENT16, GL_DEPTH_ATTACHMENT, size);
+        constexpr GLenum kDepth24 = 0x81A6; // GL_OES_depth24: as deep as the screen's.
+        attach(gl, m_depth.name(), kDepth24, GL_DEPTH_ATTACHMENT, size);
         EXPECT_EQ(gl.CheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
     }
 
@@ -40,8 +43,13 @@ VmPicture drawnOffscreen(platform::Size size, Rotation rotation, PixelFormat for
     std::optional<Target565> narrow;
     if (format == PixelFormat::Rgb565)
         narrow.emplace(scene.gl(), size);
-    scene.draw(size, rotation);
-    return readPicture(scene.gl(), size);
+    scene.draw(size, rotation, narrow.has_value());
+    VmPicture picture = readPicture(scene.gl(), size);
+    if (narrow)
+        for (auto top = picture.pixels.begin(), bottom = picture.pixels.end() - size.width; top < bottom;
+             top += size.width, bottom -= size.width)
+            std::swap_ranges(top, top + size.width, bottom);
+    return picture;
 }
 
 struct Row {
@@ -59,7 +67,8 @@ constexpr Row kRows[] = {
 };
 
 std::string nameOf(const testing::TestParamInfo<Row>& row) {
-    return "turned" + std::to_string(toDegrees(row.param.rotation)) + "_" + std::string(toString(row.param.format));
+    return "turned" + std::to_string(toDegrees(row.param.rotation)) + "_" +
+           std::string(toString(row.param.format));
 }
 
 INSTANTIATE_TEST_SUITE_P(Screen, Picture, testing::ValuesIn(kRows), nameOf);
@@ -77,11 +86,12 @@ TEST_P(Picture, TheFirstFrameIsScannedOutAsDrawnOffscreen) {
         const VmScene scene(surface->getProcAddress());
         showFrame(*surface, scene);
         size = surface->size();
-        shown = scannedOut(GetParam().format == PixelFormat::Rgb565 ? DRM_FORMAT_RGB565 : DRM_FORMAT_XRGB8888);
+        shown =
+            scannedOut(GetParam().format == PixelFormat::Rgb565 ? DRM_FORMAT_RGB565 : DRM_FORMAT_XRGB8888);
     }
     const VmPicture drawn = drawnOffscreen(size, GetParam().rotation, GetParam().format);
-    const std::string name =
-        "picture_" + std::to_string(toDegrees(GetParam().rotation)) + "_" + std::string(toString(GetParam().format));
+    const std::string name = "picture_" + std::to_string(toDegrees(GetParam().rotation)) + "_" +
+                             std::string(toString(GetParam().format));
     writePpm(shown, name);
     writePpm(drawn, name + "_offscreen");
     EXPECT_TRUE(shown == drawn) << difference(shown, drawn);

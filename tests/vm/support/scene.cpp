@@ -31,10 +31,18 @@ struct Vertex {
 };
 
 constexpr Vertex kVertices[] = {
-    {-1, -1, 0, 0.1f, 0.0f, 0.4f},       {1, -1, 0, 0.9f, 0.1f, 0.2f},       {-1, 1, 0, 0.0f, 0.8f, 0.3f},
-    {-1, 1, 0, 0.0f, 0.8f, 0.3f},        {1, -1, 0, 0.9f, 0.1f, 0.2f},       {1, 1, 0, 0.5f, 0.6f, 1.0f},
-    {-0.6f, -0.5f, -0.5f, 1, 0.7f, 0},   {0.7f, -0.3f, 0.4f, 0, 1, 1},       {0.1f, 0.8f, -0.2f, 1, 0, 1},
-    {-0.95f, 0.7f, -0.9f, 1, 1, 1},      {-0.95f, 0.95f, -0.9f, 1, 1, 1},    {-0.7f, 0.95f, -0.9f, 1, 1, 1},
+    {-1, -1, 0, 0.1f, 0.0f, 0.4f},
+    {1, -1, 0, 0.9f, 0.1f, 0.2f},
+    {-1, 1, 0, 0.0f, 0.8f, 0.3f},
+    {-1, 1, 0, 0.0f, 0.8f, 0.3f},
+    {1, -1, 0, 0.9f, 0.1f, 0.2f},
+    {1, 1, 0, 0.5f, 0.6f, 1.0f},
+    {-0.6137f, -0.5113f, -0.4719f, 1, 0.7f, 0},
+    {0.7043f, -0.3071f, 0.3733f, 0, 1, 1},
+    {0.1019f, 0.8089f, -0.2141f, 1, 0, 1},
+    {-0.9511f, 0.7019f, -0.9f, 1, 1, 1},
+    {-0.9511f, 0.9533f, -0.9f, 1, 1, 1},
+    {-0.7027f, 0.9533f, -0.9f, 1, 1, 1},
 };
 
 } // namespace
@@ -46,7 +54,8 @@ VmScene::VmScene(const platform::GetProcAddress& getProcAddress) : m_gl(Gl::load
         m_gl.CompileShader(shader.name());
         return shader;
     };
-    const GlShader vertex = compile(GL_VERTEX_SHADER, kVertex), fragment = compile(GL_FRAGMENT_SHADER, kFragment);
+    const GlShader vertex = compile(GL_VERTEX_SHADER, kVertex),
+                   fragment = compile(GL_FRAGMENT_SHADER, kFragment);
     m_program = GlProgram(m_gl, m_gl.CreateProgram());
     m_gl.AttachShader(m_program.name(), vertex.name());
     m_gl.AttachShader(m_program.name(), fragment.name());
@@ -55,12 +64,15 @@ VmScene::VmScene(const platform::GetProcAddress& getProcAddress) : m_gl(Gl::load
     m_gl.LinkProgram(m_program.name());
 }
 
-void VmScene::draw(platform::Size size, platform::Rotation rotation) const {
+void VmScene::draw(platform::Size size, platform::Rotation rotation, bool upsideDown) const {
     m_gl.Viewport(0, 0, size.width, size.height);
     m_gl.Enable(GL_DEPTH_TEST);
     m_gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     m_gl.UseProgram(m_program.name());
-    const std::array<float, 16> clip = platform::clipRotation(rotation);
+    std::array<float, 16> clip = platform::clipRotation(rotation);
+    if (upsideDown)
+        for (const std::size_t ofY : {1u, 5u})
+            clip[ofY] = -clip[ofY];
     m_gl.UniformMatrix4fv(m_gl.GetUniformLocation(m_program.name(), "clip"), 1, GL_FALSE, clip.data());
     m_gl.BindBuffer(GL_ARRAY_BUFFER, 0);
     for (const GLuint attribute : {0u, 1u}) {
@@ -100,8 +112,8 @@ std::string difference(const VmPicture& a, const VmPicture& b) {
     for (std::size_t i = 0; i < a.pixels.size(); ++i)
         if (a.pixels[i] != b.pixels[i] && count++ == 0)
             std::snprintf(first, sizeof first, ", first at (%zu, %zu): %06x, %06x",
-                          i % static_cast<std::size_t>(a.size.width), i / static_cast<std::size_t>(a.size.width),
-                          a.pixels[i], b.pixels[i]);
+                          i % static_cast<std::size_t>(a.size.width),
+                          i / static_cast<std::size_t>(a.size.width), a.pixels[i], b.pixels[i]);
     return std::to_string(count) + " of " + std::to_string(a.pixels.size()) + " differ" + first;
 }
 

@@ -15,8 +15,9 @@ class VmScene {
 public:
     explicit VmScene(const platform::GetProcAddress& getProcAddress);
 
-    /// Into the framebuffer that is bound, which has that size before it is turned.
-    void draw(platform::Size size, platform::Rotation rotation) const;
+    /// Into the framebuffer that is bound, which has that size before it is turned. Upside down is how Mesa
+    /// draws to windows and screens: a framebuffer object gets the same roundings only so.
+    void draw(platform::Size size, platform::Rotation rotation, bool upsideDown = false) const;
     const Gl& gl() const { return m_gl; }
 
 private:

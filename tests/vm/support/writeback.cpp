@@ -4,12 +4,12 @@
 // surface under test has open.
 #include "support/guest.h"
 
+#include <drm_fourcc.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <unistd.h>
 #include <xf86drm.h>
 #include <xf86drmMode.h>
-#include <drm_fourcc.h>
 
 #include <cstring>
 #include <filesystem>
@@ -85,8 +85,9 @@ VmPicture read(const Copy& copy, platform::Size size) {
     for (int y = 0; memory != MAP_FAILED && y < size.height; ++y) {
         const char* row = static_cast<const char*>(memory) + static_cast<std::size_t>(y) * copy.stride;
         for (int x = 0; x < size.width; ++x)
-            picture.pixels.push_back(copy.bits == 16 ? widened(reinterpret_cast<const std::uint16_t*>(row)[x])
-                                                     : reinterpret_cast<const std::uint32_t*>(row)[x] & 0xFFFFFF);
+            picture.pixels.push_back(copy.bits == 16
+                                         ? widened(reinterpret_cast<const std::uint16_t*>(row)[x])
+                                         : reinterpret_cast<const std::uint32_t*>(row)[x] & 0xFFFFFF);
     }
     munmap(memory, copy.bytes);
     return picture;
@@ -95,8 +96,8 @@ VmPicture read(const Copy& copy, platform::Size size) {
 int commit(int device, std::uint32_t connector, std::uint32_t crtc, const Copy* copy, int* fence) {
     drmModeAtomicReq* request = drmModeAtomicAlloc();
     const auto add = [&](const char* name, std::uint64_t value) {
-        drmModeAtomicAddProperty(request, connector, property(device, connector, DRM_MODE_OBJECT_CONNECTOR, name),
-                                 value);
+        drmModeAtomicAddProperty(request, connector,
+                                 property(device, connector, DRM_MODE_OBJECT_CONNECTOR, name), value);
     };
     add("CRTC_ID", crtc);
     add("WRITEBACK_FB_ID", copy == nullptr ? 0 : copy->framebuffer);

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+//
+// The life of a screen on a real kernel: schedule, plug and unplug, masters, blanking. In virtual time.
+#include "support/guest.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <xf86drm.h>
+
+namespace franken::test {
+namespace {
+
+using namespace std::chrono_literals;
+using platform::Blanking;
+using platform::CompletedFrame;
+using platform::SurfaceState;
+
+class Screen : public GuestTest {
+protected:
+    void TearDown() override {
+        if (!IsSkipped())
+            plug("detect");
+    }
+};
+
+/// A process that is the screen's master until it is told to end.
+class OtherMaster {
+public:
+    OtherMaster() {
+        [[maybe_unused]] const int made = pipe(m_pipe);
+        m_process = fork();
+        if (m_process == 0) {
+            const int device = open("/dev/dri/card0", O_RDWR);
+            const char result = drmSetMaster(device) == 0 ? 'y' : 'n';
+            [[maybe_unused]] const ssize_t written = write(m_pipe[1], &result, 1);
+            pause();
+        }
+        char result = 'n';
+        EXPECT_TRUE(read(m_pipe[0], &result, 1) == 1 && result == 'y');
+    }
+    ~OtherMaster() {
+        kill(m_process, SIGKILL);
+        waitpid(m_process, nullptr, 0);
+        close(m_pipe[0]);
+        close(m_pipe[1]);
+    }
+
+private:
+    int m_pipe[2] = {-1, -1};
+    pid_t m_process;
+};
+
+struct Schedule {
+    double maxFrameRate;
+    int refreshesAFrame;
+};
+
+class Pace : public Screen, public testing::WithParamInterface<Schedule> {};
+INSTANTIATE_TEST_SUITE_P(Screen, Pace, testing::Values(Schedule{0, 1}, Schedule{30, 2}, Schedule{25, 3}),
+                         [](const auto& row) { return "every" + std::to_string(row.param.refreshesAFrame); });
+
+TEST_P(Pace, NoFlipIsMissed) {
+    platform::SurfaceOptions options = GuestTest::options();
+    options.screen.maxFrameRate = GetParam().maxFrameRate;
+    const auto surface = openSurface(options);
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    CompletedFrame before = showFrame(*surface, scene);
+    before = showFrame(*surface, scene); // The first one set the mode.
+    for (int frame = 0; frame < 600; ++frame) {
+        const CompletedFrame now = showFrame(*surface, scene);
+        ASSERT_EQ(now.sequence - before.sequence, static_cast<unsigned>(GetParam().refreshesAFrame)) << frame;
+        ASSERT_EQ(now.missed, 0) << frame;
+        before = now;
+    }
+}
+
+TEST_F(Screen, CountsAFrameThatIsMadeLateAsOneMissed) {
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    showFrame(*surface, scene);
+    showFrame(*surface, scene);
+    ASSERT_TRUE(surface->begin().value());
+    scene.draw(surface->size(), surface->rotation());
+    usleep(20'000);
+    ASSERT_TRUE(surface->submit());
+    std::optional<CompletedFrame> late;
+    while (!late)
+        late = waitAndDispatch(*surface, 1s).completed;
+    EXPECT_EQ(late->missed, 1);
+    EXPECT_EQ(showFrame(*surface, scene).missed, 0);
+}
+
+TEST_F(Screen, IsWaitedForWhereNoneIsThereAtTheStart) {
+    plug("off");
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    EXPECT_EQ(surface->state(), SurfaceState::NoScreen);
+    EXPECT_FALSE(surface->begin().value());
+    EXPECT_FALSE(waitFor(*surface, SurfaceState::Ready, 60s));
+    plug("detect");
+    ASSERT_TRUE(waitFor(*surface, SurfaceState::Ready, 5s)) << surface->status();
+    showFrame(*surface, VmScene(surface->getProcAddress()));
+}
+
+TEST_F(Screen, SurvivesAThousandUnplugs) {
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    int descriptors = 0;
+    long resident = 0;
+    for (int cycle = 0; cycle < 1000; ++cycle) {
+        showFrame(*surface, scene);
+        plug("off");
+        ASSERT_TRUE(waitFor(*surface, SurfaceState::NoScreen, 5s)) << cycle << ": " << surface->status();
+        plug("detect");
+        ASSERT_TRUE(waitFor(*surface, SurfaceState::Ready, 5s)) << cycle << ": " << surface->status();
+        if (cycle == 100) {
+            descriptors = openDescriptors();
+            resident = residentKiB();
+        }
+    }
+    EXPECT_EQ(openDescriptors(), descriptors);
+    EXPECT_LE(residentKiB(), resident + 256);
+}
+
+TEST_F(Screen, AnotherMasterIsNamedAndTheNextStartSucceeds) {
+    {
+        const OtherMaster other;
+        const auto refused = platform::create(platform::Backend::Kms, options());
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code, "screen.busy");
+        EXPECT_NE(refused.error().what.find("vm_screen_test (process "), std::string::npos)
+            << refused.error().what;
+    }
+    EXPECT_TRUE(openSurface(options()));
+}
+
+TEST_F(Screen, ComesBackAfterItWasGivenAway) {
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    showFrame(*surface, scene);
+    surface->pause();
+    ASSERT_EQ(surface->state(), SurfaceState::Paused);
+    std::optional<OtherMaster> other(std::in_place);
+    surface->resume();
+    EXPECT_EQ(surface->state(), SurfaceState::Paused) << "the other one still has it";
+    EXPECT_FALSE(waitFor(*surface, SurfaceState::Ready, 10s));
+    other.reset();
+    ASSERT_TRUE(waitFor(*surface, SurfaceState::Ready, 5s)) << surface->status();
+    showFrame(*surface, scene);
+}
+
+TEST_F(Screen, IsBlankedAndWakes) {
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    for (const Blanking blanking : {Blanking::Black, Blanking::Off}) {
+        showFrame(*surface, scene);
+        ASSERT_TRUE(surface->blank(blanking));
+        ASSERT_TRUE(waitFor(*surface, SurfaceState::Blanked, 5s)) << surface->status();
+        ASSERT_TRUE(surface->blank(Blanking::None));
+        showFrame(*surface, scene);
+    }
+}
+
+TEST_F(Screen, NothingGrowsWhileNothingIsDrawn) {
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    plug("off");
+    ASSERT_TRUE(waitFor(*surface, SurfaceState::NoScreen, 5s));
+    for (int turn = 0; turn < 1000; ++turn)
+        surface->dispatch();
+    const int descriptors = openDescriptors();
+    const long resident = residentKiB();
+    for (int turn = 0; turn < 100'000; ++turn)
+        surface->dispatch();
+    EXPECT_EQ(openDescriptors(), descriptors);
+    EXPECT_LE(residentKiB(), resident + 64);
+}
+
+TEST_F(Screen, SoftwareIsRefusedUnlessItIsAllowed) {
+    const auto refused = platform::create(platform::Backend::Kms, {});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, "surface.software");
+    EXPECT_TRUE(openSurface(options())) << "something was left acquired";
+}
+
+} // namespace
+} // namespace franken::test
