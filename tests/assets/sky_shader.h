@@ -20,7 +20,7 @@ glm::vec4 sample(const Image& image, const glm::vec2& uv);
 /// skyLight() of sky_irradiance.glsl. n: unit.
 glm::vec3 skyLight(const SpecularAtlas& atlas, const glm::vec3& n);
 
-/// skyThroughLobe() of sky_atlas.glsl. d: any length. level: 0-8.
+/// reflectedSky() of reflection/atlas.glsl. d: any length. level: 0-8.
 glm::vec3 skyThroughLobe(const SpecularAtlas& atlas, const glm::vec3& d, float level);
 
 /// As glTF has it.

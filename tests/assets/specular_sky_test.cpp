@@ -189,7 +189,7 @@ class ReferenceSky : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Skies, ReferenceSky, testing::Values("softbox", "half", "studio", "sunset"));
 
 /// Metals are half as far off as the split sum, or 2.5 codes. At roughness 0.2 no one lookup of a round lobe
-/// comes so close where lamps have edges (generator/README.md): there it is closer than the split sum, and no
+/// comes so close where lamps have edges (generator/docs/sky.md): there it is closer than the split sum, and no
 /// more.
 TEST_P(ReferenceSky, SpheresMatchTheTruth) {
     const fs::path folder = kShared / "reference" / "skies";

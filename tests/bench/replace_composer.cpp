@@ -6,7 +6,10 @@
 #include "recipe.h"
 #include "snippet.h"
 
+#include <array>
+#include <iterator>
 #include <map>
+#include <sstream>
 #include <vector>
 
 namespace franken::bench {
@@ -82,20 +85,63 @@ void insertFragmentFlags(std::string& text, const Permutation& permutation) {
             insertFlag(text, choice.name, choice.options.size() == 2 ? "1" : choice.options[value].word);
 }
 
+// Where a line of declarations stands: precision, attributes, varyings, uniforms by block, samplers.
+std::size_t groupOf(const std::string& line) {
+    if (line.starts_with("attribute "))
+        return 1;
+    if (line.starts_with("varying "))
+        return 2;
+    if (line.starts_with("uniform sampler"))
+        return 7;
+    constexpr std::string_view kBlocks[] = {"// frame:", "// lights:", "// material:", "// object:"};
+    for (std::size_t block = 0; block < std::size(kBlocks); ++block)
+        if (line.starts_with("uniform ") && line.find(kBlocks[block]) != std::string::npos)
+            return 3 + block;
+    return 0;
+}
+
+std::string grouped(const std::string& declarations) {
+    std::array<std::string, 8> groups;
+    std::istringstream lines(declarations);
+    for (std::string line; std::getline(lines, line);)
+        groups[groupOf(line)] += line + "\n";
+    groups[3] += groups[4] + groups[5] + groups[6];
+    std::string text;
+    for (const std::size_t group : {0, 1, 2, 3, 7})
+        if (!groups[group].empty())
+            text += (text.empty() ? "" : "\n") + groups[group];
+    return text;
+}
+
 std::string composeStage(const Permutation& permutation, Stage stage) {
     std::string text = "#version 100\n// FrankenShader\nFLAGS//\n// NAME SHADER\n//\n"
                        "VARIABLESFUNCTIONS\nvoid main() {\nSHADER_CODE}\n";
     replaceAll(text, "NAME", stage == Stage::Vertex ? "VERTEX" : "FRAGMENT");
     const std::vector<Step> steps = plan(permutation, stage);
-    stage == Stage::Vertex ? insertVertexFlags(text, steps)
-                           : insertFragmentFlags(text, fragmentChoices(permutation));
+    if (stage == Stage::Vertex) {
+        insertVertexFlags(text, steps);
+    } else {
+        replaceAll(text, "// FrankenShader\n",
+                   "// FrankenShader " + toName(fragmentChoices(permutation)) + "\n");
+        insertFragmentFlags(text, fragmentChoices(permutation));
+    }
+    std::string declarations(kDeclarations);
+    std::string_view concern;
     for (const Step& step : steps) {
         const Sections& section = sections()[step.row];
-        insertBefore(text, kDeclarations, section.declarations, step);
+        insertBefore(declarations, kDeclarations, section.declarations, step);
         insertBefore(text, kFunctions, section.functions, step);
+        const std::string_view snippet = recipe()[step.row].snippet;
+        const std::string_view next = snippet.substr(0, snippet.find('/'));
+        if (!section.main.empty()) {
+            insertBefore(text, kMain, concern.empty() || next == concern ? "" : "\n", step);
+            concern = next;
+        }
         insertBefore(text, kMain, section.main, step);
     }
-    for (const std::string_view marker : {kFlags, kDeclarations, kFunctions, kMain})
+    replaceAll(declarations, kDeclarations, "");
+    replaceAll(text, kDeclarations, grouped(declarations));
+    for (const std::string_view marker : {kFlags, kFunctions, kMain})
         replaceAll(text, marker, "");
     return text;
 }

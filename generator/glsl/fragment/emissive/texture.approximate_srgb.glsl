@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Light of the surface's own, from a texture that is decoded as base_cubic.glsl decodes.
+// Light of the surface's own, from a texture that is decoded as base_color/approximate_srgb_to_linear decodes.
 //! declarations
 uniform vec3 uEmissiveCubic[3]; // material: coefficients of c^3, c^2 and c, times the radiance of white
 uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says

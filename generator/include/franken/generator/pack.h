@@ -32,7 +32,7 @@ inline constexpr int kSpecularLevels = 9;
 /// How far a rough surface's mirror image of the sky is bent towards N: it lies in the direction
 /// (2 N.V + bend (1 - N.V)) N - V. A dielectric's is bent less than a metal's: at an angle it shows mostly
 /// what Fresnel's term adds, which is light off facets that face away from the eye. Fitted to brute force
-/// (generator/README.md). roughness, metallic: 0-1.
+/// (generator/docs/sky.md). roughness, metallic: 0-1.
 float specularBend(float roughness, float metallic);
 
 /// A glTF material's numbers, as they stand in the file; colours linear.

@@ -7,7 +7,7 @@
 #include "franken/environment.h"
 
 /// What a rough mirror shows of a sky, made on the CPU once and read by a fragment shader in four texture
-/// fetches. generator/README.md compares this way with others, in error and in instructions.
+/// fetches. generator/docs/sky.md compares this way with others, in error and in instructions.
 ///
 /// The BRDF is that of glTF 2.0, appendix B. Its integral over the sky is split in two (Karis, "Real Shading
 /// in Unreal Engine 4", 2013): the sky seen through the lobe of a mirror that faces the eye, and how much of
