@@ -134,7 +134,9 @@ void addLoading(CLI::App& app, Options& options) {
 
 void addScene(CLI::App& app, Options& options) {
     app.add_option("MODEL", options.model, "A .gltf or .glb file")->required();
-    app.add_option("--camera", options.camera, "One of the file's cameras, by name or by index from 0 [0]")
+    app.add_option(
+           "--camera", options.camera,
+           "One of the file's cameras, by its name, its node's name, or its index in the file [the first]")
         ->type_name("NAME|INDEX");
     app.add_option_function<std::vector<std::string>>(
            "--sun",
@@ -159,12 +161,17 @@ void addScene(CLI::App& app, Options& options) {
     app.add_option_function<std::string>(
            "--exposure",
            [&options](const std::string& text) {
+               options.autoExposure = text == "auto";
+               if (options.autoExposure)
+                   return;
                options.exposure = toNumber("--exposure", text);
-               if (options.exposure <= 0)
+               if (*options.exposure <= 0)
                    throw CLI::ValidationError("--exposure", "it must be above 0");
            },
-           "Multiplies all light [1]")
-        ->type_name("FACTOR");
+           "Multiplies all light; auto: so that a white surface that faces it is just white [1, or auto "
+           "where "
+           "over half of the model would be white]")
+        ->type_name("FACTOR|auto");
     app.add_option_function<std::string>(
            "--background",
            [&options](const std::string& text) {
@@ -231,7 +238,8 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     addLook(app, options.look);
     try {
         app.parse(argc, argv);
-        const std::filesystem::path inputs[] = {options.model, options.skybox, options.heightMap, options.manifest};
+        const std::filesystem::path inputs[] = {options.model, options.skybox, options.heightMap,
+                                                options.manifest};
         if (const Result<void> checked = checkNotInput(options.output, inputs); !checked)
             throw CLI::ValidationError("--output-file", checked.error().what);
     } catch (const CLI::ParseError& error) {

@@ -36,7 +36,9 @@ struct Options {
     std::optional<franken::Float3> ambient;
     std::filesystem::path skybox; ///< Empty for none.
     bool skySun = false;          ///< Takes the sun out of it, as one of the suns.
-    float exposure = 1;
+    std::optional<float>
+        exposure; ///< Nothing: 1, or autoExposure() where that leaves most of the model white.
+    bool autoExposure = false;
     franken::Float3 background{0, 0, 0}; ///< Encoded, 0-1.
     franken::Look look;
 };

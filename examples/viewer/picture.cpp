@@ -2,6 +2,9 @@
 #include "picture.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
 
 using namespace franken;
 
@@ -33,4 +36,22 @@ Image halved(const Image& image) {
                 half.rgba.push_back(static_cast<std::uint8_t>((p[0] + p[4] + p[row] + p[row + 4] + 2) / 4));
             }
     return half;
+}
+
+Coverage coverageOf(const Image& image, const Float3& background) {
+    std::array<int, 3> codes{};
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        codes[channel] = static_cast<int>(std::lround(255 * std::clamp(background[channel], 0.0f, 1.0f)));
+    Coverage coverage;
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+        bool shown = false, white = true;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const int code = image.rgba[i + channel];
+            shown = shown || std::abs(code - codes[channel]) > 1; // drivers round as they like
+            white = white && code == 255;
+        }
+        coverage.shown += shown ? 1 : 0;
+        coverage.white += shown && white ? 1 : 0;
+    }
+    return coverage;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/generator/pack.h"
 #include "franken/gl.h"
 #include "franken/image.h"
 #include "franken/platform/surface.h"
@@ -11,3 +12,10 @@ franken::Image readTopDown(const franken::Gl& gl, const franken::platform::Surfa
 /// Of half the width and height (even numbers). Averages codes, not light: what a display and MSAA on a GPU
 /// without sRGB targets do.
 franken::Image halved(const franken::Image& image);
+
+/// What of a picture on a background of one colour (encoded, 0-1) shows something else.
+struct Coverage {
+    std::size_t shown = 0; ///< Pixels of another colour than the background.
+    std::size_t white = 0; ///< Of these: as bright as the display goes in all channels.
+};
+Coverage coverageOf(const franken::Image& image, const franken::Float3& background);

@@ -3,8 +3,10 @@
 
 #include "common/png.h"
 #include "common/progress_bar.h"
+#include "franken/exposure.h"
 #include "franken/manifest.h"
 #include "loading.h"
+#include "picture.h"
 #include "setup.h"
 
 #include <algorithm>
@@ -25,6 +27,12 @@ void printStats(const Drawn& drawn) {
                 drawn.frame.drawn, drawn.frame.culled);
     std::printf("memory: %.1f MiB of textures and meshes\n", static_cast<double>(drawn.gpuBytes) / (1 << 20));
     std::fflush(stdout);
+}
+
+Error nothingToDraw(const Options& options) {
+    return {
+        "viewer.nothing", options.model.string(), "the model holds nothing that can be drawn",
+        "see the warnings, where there are any, or whether its scene has a node with a mesh of triangles"};
 }
 
 } // namespace
@@ -66,6 +74,8 @@ std::optional<Failure> Session::readSubject(Subject& subject) {
     if (!scene)
         return Failure{inShellWords(scene.error()), ExitCode::Refused};
     subject.scene = *std::move(scene);
+    if (subject.scene.instances.empty())
+        return Failure{nothingToDraw(m_options), ExitCode::Refused};
     if (Result<void> displaced = applyHeights(subject.scene, m_options); !displaced)
         return Failure{displaced.error(), ExitCode::Refused};
     subject.sky = m_sky;
@@ -101,6 +111,34 @@ Result<Drawn> Session::drawSubject(const Subject& subject, const std::optional<S
     return m_studio->draw(subject, m_listed.value_or(std::vector<ProgramUse>()), snippets);
 }
 
+// A picture from which nothing can be seen is drawn all the same, or better where that is known, and says so.
+Result<Drawn> Session::drawVisibly(Subject& subject, const std::optional<SnippetSet>& snippets) {
+    Result<Drawn> drawn = drawSubject(subject, snippets);
+    if (!drawn || subject.sky)
+        return drawn;
+    const Coverage coverage = coverageOf(drawn->picture, m_options.background);
+    if (coverage.shown == 0)
+        m_log(LogLevel::Warning,
+              drawn->frame.drawn == 0
+                  ? "the picture shows nothing of the model, which lies outside the camera's view"
+                  : "the picture shows nothing of the model: it faces away, is transparent, or "
+                    "has the colour of the background");
+    const float exposure = autoExposure(subject.lighting, subject.scene.bounds());
+    if (m_options.exposure || m_options.autoExposure || 2 * coverage.white <= coverage.shown || exposure >= 1)
+        return drawn;
+    subject.lighting.exposure = exposure;
+    Result<Drawn> exposed = drawSubject(subject, snippets);
+    if (!exposed || coverageOf(exposed->picture, m_options.background).white >= coverage.white)
+        return drawn;
+    m_log(LogLevel::Warning,
+          "over half of what the picture shows would be white: it is drawn with --exposure auto, "
+          "which is " +
+              std::to_string(exposure) +
+              " here; --exposure 1 leaves the lights as the "
+              "file has them");
+    return exposed;
+}
+
 std::optional<Failure> Session::draw() {
     std::optional<SnippetSet> snippets;
     if (!m_options.snippets.empty()) {
@@ -114,7 +152,7 @@ std::optional<Failure> Session::draw() {
     Subject subject;
     if (std::optional<Failure> failure = readSubject(subject))
         return failure;
-    const Result<Drawn> drawn = drawSubject(subject, snippets);
+    const Result<Drawn> drawn = drawVisibly(subject, snippets);
     if (!drawn)
         return Failure{drawn.error(),
                        drawn.error().code == "surface.options" ? ExitCode::Usage : ExitCode::Device};

@@ -30,6 +30,7 @@ private:
     std::optional<Failure> readManifest();
     std::optional<Failure> readSky();
     std::optional<Failure> readSubject(Subject& subject);
+    franken::Result<Drawn> drawVisibly(Subject& subject, const std::optional<franken::SnippetSet>& snippets);
     franken::Result<Drawn> drawSubject(const Subject& subject,
                                        const std::optional<franken::SnippetSet>& snippets);
 

@@ -2,6 +2,7 @@
 #include "setup.h"
 
 #include "franken/displacement.h"
+#include "franken/exposure.h"
 #include "franken/file.h"
 
 #include <charconv>
@@ -16,8 +17,11 @@ constexpr int kMaxHeightMapSize = 4096;
 
 std::string camerasOf(const Scene& scene) {
     std::string list;
-    for (std::size_t i = 0; i < scene.cameras.size(); ++i)
-        list += (i == 0 ? "choose one of " : ", ") + std::to_string(i) + " " + scene.cameras[i].name;
+    for (const Camera& camera : scene.cameras) {
+        list += (list.empty() ? "choose one of " : ", ") + std::to_string(camera.index) + " " + camera.name;
+        if (!camera.node.empty())
+            list += " (node " + camera.node + ")";
+    }
     return list.empty() ? "leave the option out: the file has no cameras" : list;
 }
 
@@ -34,14 +38,17 @@ Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
     const double aspect = static_cast<double>(options.size.width) / options.size.height;
     if (options.camera.empty())
         return scene.cameras.empty() ? framingCamera(scene.bounds(), aspect) : scene.cameras.front();
-    for (const Camera& camera : scene.cameras)
-        if (camera.name == options.camera)
-            return camera;
-    std::size_t index = 0;
+    for (const auto name : {&Camera::name, &Camera::node})
+        for (const Camera& camera : scene.cameras)
+            if (camera.*name == options.camera)
+                return camera;
+    int index = kNone;
     const char* const last = options.camera.data() + options.camera.size();
     const auto [end, error] = std::from_chars(options.camera.data(), last, index);
-    if (error == std::errc() && end == last && index < scene.cameras.size())
-        return scene.cameras[index];
+    if (error == std::errc() && end == last)
+        for (const Camera& camera : scene.cameras)
+            if (camera.index == index)
+                return camera;
     return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
 }
 
@@ -68,7 +75,6 @@ Result<Lighting> chooseLighting(const Scene& scene, const BakedSky* sky, const O
                      std::to_string(lighting.suns.size()) +
                          " suns, those of the file and of the sky included, are too many",
                      "one program takes " + std::to_string(Permutation::kMaxLights)};
-    lighting.exposure = options.exposure;
     if (sky) {
         lighting.ambient = Ambient::Sky;
         lighting.sky = sky->coefficients;
@@ -81,5 +87,7 @@ Result<Lighting> chooseLighting(const Scene& scene, const BakedSky* sky, const O
         lighting.suns.empty() && lighting.punctualLights.empty() && lighting.ambient == Ambient::None;
     if (dark)
         addDefaultLight(lighting);
+    lighting.exposure =
+        options.autoExposure ? autoExposure(lighting, scene.bounds()) : options.exposure.value_or(1.0f);
     return lighting;
 }

@@ -125,6 +125,8 @@ struct Camera {
     enum class Projection { Perspective, Orthographic };
 
     std::string name;
+    std::string node;  ///< The name of the node that it hangs on.
+    int index = kNone; ///< In the file's array of cameras.
     Projection projection = Projection::Perspective;
     float yfov = 0.8f;        ///< Perspective: the full vertical angle, radians, > 0.
     float aspectRatio = 0.0f; ///< Perspective: width / height; 0: that of the viewport.
@@ -155,12 +157,12 @@ struct Light {
 struct Scene {
     std::vector<Image> images; ///< One white pixel for each that no material uses.
     std::vector<Texture> textures;
-    std::vector<Material>
-        materials;            ///< At least one where there is a mesh: primitives without get a default.
-    std::vector<Mesh> meshes; ///< Only those that are drawn. A skin or a morph has a mesh of its own.
+    std::vector<Material> materials; ///< At least one where there is a mesh: primitives without get a
+                                     ///< default, and one stands in for each that the scene does not use.
+    std::vector<Mesh> meshes;        ///< Only those that are drawn. A skin or a morph has a mesh of its own.
     std::vector<Instance> instances; ///< In the order of the node tree.
-    std::vector<Camera> cameras;     ///< Likewise.
-    std::vector<Light> lights;       ///< Likewise.
+    std::vector<Camera> cameras;     ///< In the order of the file's array; one for each node that has one.
+    std::vector<Light> lights;       ///< In the order of the node tree.
 
     /// Of all instances, in the world; empty where nothing is drawn.
     Box bounds() const;

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <limits>
 
-#include "gltf/internal.h"
+#include "gltf/accessor.h"
 
 namespace franken::gltf {
 namespace {
@@ -53,22 +53,32 @@ std::uint32_t integer(const std::uint8_t* bytes, int type) {
     }
 }
 
-const std::uint8_t* viewData(Source& source, int view, std::size_t offset) {
+// Exporters are known that write joints as floats.
+std::uint32_t joint(const std::uint8_t* bytes, int type) {
+    if (type != TINYGLTF_COMPONENT_TYPE_FLOAT)
+        return integer(bytes, type);
+    const float number = load<float>(bytes);
+    constexpr float kLimit = 65536.0f;
+    return number >= 0.0f && number < kLimit ? static_cast<std::uint32_t>(number + 0.5f) : UINT32_MAX;
+}
+
+const std::uint8_t* viewData(Document& source, int view, std::size_t offset) {
     const std::span<const std::uint8_t> bytes = viewBytes(source, view);
     return bytes.empty() ? nullptr : bytes.data() + offset;
 }
 
 // Calls store(element, bytes) for all elements of the base view, then for the sparse ones over them.
 template<typename Store>
-bool forEachElement(Source& source, int index, Store store) {
+bool forEachElement(Document& source, int index, Store store) {
+    if (!source.need(pathOf("accessors", index)))
+        return false;
     const tinygltf::Model& model = source.model;
     const tinygltf::Accessor& accessor = model.accessors[at(index)];
     const auto componentSize =
         at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)));
     const std::size_t packed = componentSize * at(width(accessor));
     if (accessor.bufferView >= 0) {
-        const std::size_t viewStride = model.bufferViews[at(accessor.bufferView)].byteStride;
-        const std::size_t stride = viewStride ? viewStride : packed;
+        const std::size_t stride = source.accessorStrides[at(index)];
         const std::uint8_t* bytes = viewData(source, accessor.bufferView, accessor.byteOffset);
         if (!bytes)
             return false;
@@ -99,7 +109,7 @@ bool forEachElement(Source& source, int index, Store store) {
 
 } // namespace
 
-std::span<const std::uint8_t> viewBytes(Source& source, int view) {
+std::span<const std::uint8_t> viewBytes(Document& source, int view) {
     const tinygltf::BufferView& from = source.model.bufferViews[at(view)];
     const Buffer& buffer = source.buffers[at(from.buffer)];
     if (buffer.bytes.empty()) {
@@ -115,7 +125,7 @@ int width(const tinygltf::Accessor& accessor) {
     return tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
 }
 
-bool readFloats(Source& source, int index, std::span<float> out) {
+bool readFloats(Document& source, int index, std::span<float> out) {
     const tinygltf::Accessor& accessor = source.model.accessors[at(index)];
     const std::size_t n = at(width(accessor));
     const int type = accessor.componentType;
@@ -139,20 +149,20 @@ bool readFloats(Source& source, int index, std::span<float> out) {
     return true;
 }
 
-bool readIndices(Source& source, int index, std::vector<std::uint32_t>& out) {
+bool readIndices(Document& source, int index, std::vector<std::uint32_t>& out) {
     const int type = source.model.accessors[at(index)].componentType;
     out.assign(source.model.accessors[at(index)].count, 0);
     return forEachElement(source, index,
                           [&](std::size_t i, const std::uint8_t* bytes) { out[i] = integer(bytes, type); });
 }
 
-bool readJoints(Source& source, int index, std::vector<glm::uvec4>& out) {
+bool readJoints(Document& source, int index, std::vector<glm::uvec4>& out) {
     const int type = source.model.accessors[at(index)].componentType;
     const auto size = at(tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(type)));
     out.assign(source.model.accessors[at(index)].count, glm::uvec4(0));
     return forEachElement(source, index, [&](std::size_t i, const std::uint8_t* bytes) {
         for (int c = 0; c < 4; ++c)
-            out[i][c] = integer(bytes + at(c) * size, type);
+            out[i][c] = joint(bytes + at(c) * size, type);
     });
 }
 

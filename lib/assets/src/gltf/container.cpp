@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "gltf/internal.h"
+#include <algorithm>
+
+#include "gltf/gate.h"
 
 namespace franken::gltf {
 namespace {
@@ -29,6 +31,35 @@ bool nextChunk(Source& source, std::span<const std::uint8_t> bytes, std::size_t&
     return true;
 }
 
+// glTF 2.0, 4.4.3: the binary chunk is the second or there is none. Others behind it mean nothing to us.
+bool openBinaryChunk(Source& source, std::span<const std::uint8_t> bytes, std::size_t offset) {
+    std::uint32_t type = 0;
+    std::span<const std::uint8_t> data;
+    for (bool second = true; offset < bytes.size(); second = false) {
+        if (!second && bytes.size() - offset < kChunkHeaderSize)
+            return true; // padding
+        if (!nextChunk(source, bytes, offset, type, data))
+            return false;
+        if (type == kDataChunk && !second)
+            return source.fail("gltf.container", "", "the binary chunk of the .glb is not its second chunk");
+        if (type == kDataChunk) {
+            source.binaryChunk = data;
+            return true;
+        }
+    }
+    return true;
+}
+
+// A file that was cut is shorter than its header says as well; but then no chunk is whole behind the JSON.
+bool checkLength(Source& source, std::size_t declared) {
+    if (declared <= source.bytes.size())
+        return true;
+    if (source.binaryChunk.empty())
+        return source.fail("gltf.container", "", "the .glb is shorter than its header says", kDamaged);
+    source.warn(kMended, "", "the .glb is shorter than its header says, but its chunks are whole");
+    return true;
+}
+
 } // namespace
 
 // glTF 2.0, 4.4: a header of three words (magic, version, length), then chunks of length, type and data.
@@ -43,20 +74,14 @@ bool openContainer(Source& source) {
         return source.fail("gltf.version", "",
                            "the .glb has container version " + std::to_string(word(bytes, 4)),
                            "only glTF 2.0 is read: convert the file");
-    if (word(bytes, 8) > bytes.size())
-        return source.fail("gltf.container", "", "the .glb is shorter than its header says", kDamaged);
-    bytes = bytes.first(word(bytes, 8));
+    const std::size_t declared = word(bytes, 8);
+    bytes = bytes.first(std::min(declared, bytes.size()));
     std::size_t offset = kHeaderSize;
     std::uint32_t type = 0;
     if (offset > bytes.size() || !nextChunk(source, bytes, offset, type, source.jsonText) ||
         type != kJsonChunk)
         return source.fail("gltf.container", "", "the .glb does not begin with a JSON chunk", kDamaged);
-    std::span<const std::uint8_t> data;
-    if (offset < bytes.size() && !nextChunk(source, bytes, offset, type, data))
-        return false;
-    if (type == kDataChunk)
-        source.binaryChunk = data;
-    return true;
+    return openBinaryChunk(source, bytes, offset) && checkLength(source, declared);
 }
 
 } // namespace franken::gltf

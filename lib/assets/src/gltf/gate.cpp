@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include <nlohmann/json.hpp>
-
-#include "gltf/internal.h"
+#include "gltf/gate.h"
 
 namespace franken::gltf {
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr std::size_t kMaxDepth = 64;
 

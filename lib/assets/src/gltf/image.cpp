@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <atomic>
 
-#include "gltf/internal.h"
+#include "gltf/accessor.h"
+#include "gltf/material.h"
 #include "helper_threads.h"
 #include "image/image_header.h"
 
@@ -23,7 +24,7 @@ void decodeAll(const std::vector<std::span<const std::uint8_t>>& encoded, int ma
 }
 
 // The pixels stay. What decoding takes besides is there once for each worker, and `largest` of them all.
-bool chargePixels(Source& source, std::span<const std::uint8_t> encoded, const std::string& where,
+bool chargePixels(Document& source, std::span<const std::uint8_t> encoded, const std::string& where,
                   std::size_t& largest) {
     const Result<ImageHeader> header = readImageHeader(encoded, source.options.maxImageSize);
     if (!header)
@@ -34,7 +35,7 @@ bool chargePixels(Source& source, std::span<const std::uint8_t> encoded, const s
 
 } // namespace
 
-bool readImages(Source& source, const std::vector<bool>& used, std::vector<bool>& broken,
+bool readImages(Document& source, const std::vector<bool>& used, std::vector<bool>& broken,
                 std::vector<Image>& images) {
     std::vector<std::size_t> which;
     std::vector<std::span<const std::uint8_t>> encoded;
@@ -42,6 +43,8 @@ bool readImages(Source& source, const std::vector<bool>& used, std::vector<bool>
     for (std::size_t i = 0; i < used.size(); ++i) {
         if (!used[i])
             continue;
+        if (!source.need(pathOf("images", i)))
+            return false;
         which.push_back(i);
         const EncodedImage& image = source.images[i];
         encoded.push_back(image.view == kNone ? std::span<const std::uint8_t>(image.bytes)
@@ -64,7 +67,7 @@ bool readImages(Source& source, const std::vector<bool>& used, std::vector<bool>
             continue;
         }
         broken[which[i]] = true;
-        source.warn(pathOf("images", which[i]),
+        source.warn(kLeftOut, pathOf("images", which[i]),
                     (image.problem.empty() ? toString(results[i]->error()) : image.problem) + ": left out");
     }
     for (std::size_t i = 0; i < images.size(); ++i)

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <utility>
 
-#include "gltf/schema.h"
+#include "gltf/gate.h"
 
 namespace franken::gltf {
-namespace {
 
-constexpr std::array<std::string_view, 5> kKnownExtensions{
-    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization",
-    "KHR_texture_transform"};
-
-bool isKnown(const std::string& extension) {
-    return std::find(kKnownExtensions.begin(), kKnownExtensions.end(), extension) != kKnownExtensions.end();
-}
-
-/// The member, or null where there is none or `object` is not an object.
 const Json& member(const Json& object, const char* key) {
     static const Json kNull;
     const auto found = object.find(key); // end() for all but objects
     return found == object.end() ? kNull : *found;
 }
+
+namespace {
 
 bool parseText(Source& source, Json& root) {
     if (!checkJson(source))
@@ -31,52 +27,39 @@ bool parseText(Source& source, Json& root) {
                                            "check that the file is a .gltf or .glb");
 }
 
-bool checkVersion(Source& source, const Json& root) {
-    const Json& version = member(member(root, "asset"), "version");
-    if (!version.is_string())
+// "2.1" as {2, 1}, and a number as the text that was meant.
+std::optional<std::pair<int, int>> parseVersion(const Json& version) {
+    const std::string text = version.is_string()   ? version.get<std::string>()
+                             : version.is_number() ? version.dump()
+                                                   : "";
+    std::pair<int, int> numbers{0, 0};
+    const char* const end = text.data() + text.size();
+    const auto major = std::from_chars(text.data(), end, numbers.first);
+    if (major.ec != std::errc())
+        return std::nullopt;
+    if (major.ptr != end && *major.ptr == '.')
+        std::from_chars(major.ptr + 1, end, numbers.second);
+    return numbers;
+}
+
+bool checkVersion(Source& source, Json& root) {
+    const Json& asset = member(root, "asset");
+    const auto version = parseVersion(member(asset, "version"));
+    if (!version)
         return source.fail("gltf.version", "/asset/version", "the file does not say which glTF version it is",
                            "only glTF 2.0 is read");
-    return version.get_ref<const std::string&>().starts_with("2.") ||
-           source.fail("gltf.version", "/asset/version",
-                       "the file is glTF " + version.get_ref<const std::string&>(),
-                       "only glTF 2.0 is read: convert the file");
-}
-
-bool extensionError(Source& source, const std::string& where, const std::string& name) {
-    return source.fail("gltf.extension", where,
-                       "the file requires the extension " + name + ", which is not built in",
-                       "export the file without " + name);
-}
-
-bool checkExtensions(Source& source, const Json& root) {
-    const Json& required = member(root, "extensionsRequired");
-    for (std::size_t i = 0; required.is_array() && i < required.size(); ++i) {
-        const std::string name =
-            required[i].is_string() ? required[i].get<std::string>() : required[i].dump();
-        if (!isKnown(name))
-            return extensionError(source, pathOf("extensionsRequired", i), name);
+    if (version->first != 2)
+        return source.fail("gltf.version", "/asset/version",
+                           "the file is glTF " + member(asset, "version").dump(),
+                           "only glTF 2.0 is read: convert the file");
+    if (parseVersion(member(asset, "minVersion")) > std::pair(2, 0))
+        return source.fail("gltf.version", "/asset/minVersion",
+                           "the file needs a reader of glTF " + member(asset, "minVersion").dump(),
+                           "only glTF 2.0 is read: convert the file");
+    if (!member(asset, "version").is_string()) {
+        source.warn(kMended, "/asset/version", "a version is a string");
+        root["asset"]["version"] = "2.0";
     }
-    const Json& used = member(root, "extensionsUsed");
-    for (std::size_t i = 0; used.is_array() && i < used.size(); ++i)
-        if (used[i].is_string() && !isKnown(used[i].get<std::string>()))
-            source.warn(pathOf("extensionsUsed", i),
-                        "the extension " + used[i].get<std::string>() + " is not known and left out");
-    return true;
-}
-
-// Some exporters declare Draco as optional and leave out what it would be optional to.
-bool checkDraco(Source& source, const Json& root) {
-    const char* const kDraco = "KHR_draco_mesh_compression";
-    const Json &meshes = member(root, "meshes"), &accessors = member(root, "accessors");
-    for (std::size_t m = 0; meshes.is_array() && m < meshes.size(); ++m)
-        for (const Json& primitive : member(meshes[m], "primitives")) {
-            const Json& position = member(member(primitive, "attributes"), "POSITION");
-            if (member(member(primitive, "extensions"), kDraco).is_null() || !position.is_number_unsigned() ||
-                position.get<std::size_t>() >= accessors.size() || !accessors.is_array())
-                continue;
-            if (member(accessors[position.get<std::size_t>()], "bufferView").is_null())
-                return extensionError(source, pathOf("meshes", m), kDraco);
-        }
     return true;
 }
 
@@ -96,16 +79,40 @@ void makeIntegers(Json& value) {
     }
 }
 
+bool isExtent(const Json& accessor) {
+    const Json &least = member(accessor, "min"), &most = member(accessor, "max");
+    const auto isNumber = [](const Json& value) { return value.is_number(); };
+    for (const Json* values : {&least, &most})
+        if (!values->is_null() &&
+            (!values->is_array() || !std::all_of(values->begin(), values->end(), isNumber)))
+            return false;
+    if (least.is_null() || most.is_null())
+        return true;
+    return least.size() == most.size() &&
+           std::equal(least.begin(), least.end(), most.begin(), std::less_equal<>());
+}
+
+// Boxes are measured: `min` and `max` are never read.
+void warnOfExtents(const Source& source, const Json& root) {
+    const Json& accessors = member(root, "accessors");
+    for (std::size_t i = 0; accessors.is_array() && i < accessors.size(); ++i)
+        if (!isExtent(accessors[i]))
+            source.warn(kMended, pathOf("accessors", i), "min and max make no sense; the box is measured");
+}
+
 // What an object is, a word in it says, and that it needs a member of that name.
 bool checkChoice(Source& source, const Json& object, const std::string& where) {
     const auto& type = object["type"].get_ref<const std::string&>();
     return object.contains(type) || source.fail("gltf.schema", where, "the property " + type + " is missing");
 }
 
-bool checkCamera(Source& source, const Json& camera, const std::string& where) {
-    if (camera["type"] == "perspective" || camera["type"] == "orthographic")
-        return checkChoice(source, camera, where);
-    return source.fail("gltf.value", where + "/type", "a camera is perspective or orthographic");
+bool checkCamera(Source& source, Json& camera, const std::string& where) {
+    const bool known = camera["type"] == "perspective" || camera["type"] == "orthographic";
+    if (known ? checkChoice(source, camera, where)
+              : source.fail("gltf.value", where + "/type", "a camera is perspective or orthographic"))
+        return true;
+    camera = {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}};
+    return source.defer(where);
 }
 
 bool checkAccessor(Source& source, Json& accessor, std::size_t views, const std::string& where) {
@@ -119,18 +126,25 @@ bool checkAccessor(Source& source, Json& accessor, std::size_t views, const std:
     constexpr std::array<std::string_view, 7> kTypes{"SCALAR", "VEC2", "VEC3", "VEC4",
                                                      "MAT2",   "MAT3", "MAT4"};
     const auto& type = accessor["type"].get_ref<const std::string&>();
-    if (std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end())
-        return true;
-    source.warn(where + "/type", "the element type " + type + " is not known; nothing can use it");
-    accessor = {{"componentType", component}, {"count", 1}, {"type", "MAT2"}}; // which nothing takes
-    return true;
+    return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end() ||
+           source.fail("gltf.type", where + "/type", "there is no element type " + type);
 }
 
-bool checkStride(Source& source, const Json& view, const std::string& where) {
+/// checkAccessor(); a faulty one becomes an empty one.
+bool checkOrEmpty(Source& source, Json& accessor, std::size_t views, const std::string& where) {
+    if (checkAccessor(source, accessor, views, where))
+        return true;
+    accessor = {{"componentType", 5121}, {"count", 1}, {"type", "SCALAR"}};
+    return source.defer(where);
+}
+
+void warnOfStride(Source& source, const Json& view, const std::string& where) {
     const Json& stride = member(view, "byteStride");
     const std::size_t bytes = stride.is_null() ? 4 : stride.get<std::size_t>();
-    return (bytes >= 4 && bytes <= 252 && bytes % 4 == 0) ||
-           source.fail("gltf.value", where + "/byteStride", "a stride is a multiple of 4 from 4 to 252");
+    if (bytes < 4 || bytes > 252 || bytes % 4 != 0)
+        source.warn(kMended, where + "/byteStride",
+                    bytes == 0 ? "a stride of 0 stands for elements without gaps"
+                               : "a stride is a multiple of 4 from 4 to 252");
 }
 
 bool checkMesh(Source& source, const Json& mesh, std::size_t accessors, const std::string& where) {
@@ -142,8 +156,11 @@ bool checkMesh(Source& source, const Json& mesh, std::size_t accessors, const st
     return true;
 }
 
-bool checkLight(Source& source, const Json& light, const std::string& where) {
-    return light["type"] != "spot" || checkChoice(source, light, where);
+bool checkLight(Source& source, Json& light, const std::string& where) {
+    if (light["type"] != "spot" || checkChoice(source, light, where))
+        return true;
+    light = {{"type", "point"}};
+    return source.defer(where);
 }
 
 // The rest of what tinygltf refuses, because it says nowhere of which object it speaks.
@@ -157,18 +174,19 @@ bool checkRest(Source& source, Json& root) {
     const std::size_t views = root["bufferViews"].size(), accessors = root["accessors"].size();
     const char* const kLights = "/extensions/KHR_lights_punctual/lights";
     const auto accessor = [&](Json& object, const std::string& where) {
-        return checkAccessor(source, object, views, where);
+        return checkOrEmpty(source, object, views, where);
     };
     const auto view = [&](const Json& object, const std::string& where) {
-        return checkStride(source, object, where);
+        warnOfStride(source, object, where);
+        return true;
     };
     const auto mesh = [&](const Json& object, const std::string& where) {
         return checkMesh(source, object, accessors, where);
     };
-    const auto camera = [&](const Json& object, const std::string& where) {
+    const auto camera = [&](Json& object, const std::string& where) {
         return checkCamera(source, object, where);
     };
-    const auto light = [&](const Json& object, const std::string& where) {
+    const auto light = [&](Json& object, const std::string& where) {
         return checkLight(source, object, where);
     };
     const Json::json_pointer lights(kLights);
@@ -178,82 +196,16 @@ bool checkRest(Source& source, Json& root) {
            (!root.contains(lights) || forEach(root[lights], kLights, light));
 }
 
-std::string takeString(Json& object, const char* key) {
-    return object.contains(key) ? std::move(object[key].get_ref<std::string&>()) : std::string();
-}
-
-// Notes where buffers and images come from, and gives tinygltf a byte for each, so that it opens no file,
-// decodes no text and looks into no buffer.
-bool takeResources(Source& source, Json& root) {
-    const char* const kOneByte = "data:application/octet-stream;base64,AA==";
-    for (Json& buffer : root["buffers"]) {
-        const auto length = buffer["byteLength"].get<std::size_t>();
-        const bool hasUri = buffer.contains("uri");
-        source.buffers.push_back({takeString(buffer, "uri"), hasUri, length, {}, {}, {}});
-        buffer = {{"byteLength", 1}, {"uri", kOneByte}};
-    }
-    for (Json& image : root["images"]) {
-        if (image.contains("bufferView") == image.contains("uri"))
-            return source.fail("gltf.schema", pathOf("images", source.images.size()),
-                               "an image has either a buffer view or a URI");
-        source.images.push_back(
-            {takeString(image, "name"), takeString(image, "uri"), image.value("bufferView", kNone), {}, {}});
-        image = {{"uri", kOneByte}};
-    }
-    return true;
-}
-
-// tinygltf refuses indices without a view, which glTF allows (they are zero); it gets one that is taken back.
-void addPlaceholderView(Source& source, Json& root) {
-    source.placeholderView = static_cast<int>(root["bufferViews"].size());
-    for (Json& accessor : root["accessors"])
-        if (!accessor.contains("bufferView"))
-            accessor["bufferView"] = source.placeholderView;
-    root["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
-}
-
-// tinygltf's objects are much larger than what JSON says of them, and its arrays grow by doubling: for a
-// moment there are up to three places for each element.
-bool chargeObjects(Source& source, const Json& root) {
-    const auto charge = [&](const Json& array, std::size_t bytes, const std::string& where) {
-        return source.charge(array.size(), 3 * bytes, where);
-    };
-    const Json& lights = member(member(member(root, "extensions"), "KHR_lights_punctual"), "lights");
-    for (const Json& mesh : member(root, "meshes"))
-        if (!charge(mesh["primitives"], sizeof(tinygltf::Primitive), "/meshes"))
-            return false;
-    return charge(member(root, "buffers"), sizeof(tinygltf::Buffer) + sizeof(Buffer), "/buffers") &&
-           charge(member(root, "bufferViews"), sizeof(tinygltf::BufferView), "/bufferViews") &&
-           charge(member(root, "accessors"), sizeof(tinygltf::Accessor), "/accessors") &&
-           charge(member(root, "images"), sizeof(tinygltf::Image) + sizeof(EncodedImage), "/images") &&
-           charge(member(root, "samplers"), sizeof(tinygltf::Sampler), "/samplers") &&
-           charge(member(root, "textures"), sizeof(tinygltf::Texture), "/textures") &&
-           charge(member(root, "materials"), sizeof(tinygltf::Material) + sizeof(Material), "/materials") &&
-           charge(member(root, "meshes"), sizeof(tinygltf::Mesh), "/meshes") &&
-           charge(member(root, "skins"), sizeof(tinygltf::Skin), "/skins") &&
-           charge(member(root, "cameras"), sizeof(tinygltf::Camera), "/cameras") &&
-           charge(member(root, "nodes"), sizeof(tinygltf::Node), "/nodes") &&
-           source.charge(member(root, "nodes").size(), sizeof(Instance), "/nodes") && // reserved
-           charge(member(root, "scenes"), sizeof(tinygltf::Scene), "/scenes") &&
-           charge(lights, sizeof(tinygltf::Light), "/extensions/KHR_lights_punctual/lights");
-}
-
 } // namespace
 
-bool readJson(Source& source, std::string& text) {
-    Json root;
-    if (!parseText(source, root) || !checkVersion(source, root) || !checkExtensions(source, root) ||
-        !checkDraco(source, root))
+bool readJson(Source& source, Json& root) {
+    if (!parseText(source, root) || !checkVersion(source, root) || !checkExtensions(source, root))
         return false;
     makeIntegers(root);
     if (!member(root, "animations").empty())
-        source.warn("/animations", "animations are not played; the file is shown at rest");
-    if (!checkSchema(source, root) || !checkRest(source, root) || !chargeObjects(source, root) ||
-        !takeResources(source, root))
-        return false;
-    addPlaceholderView(source, root);
-    text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
-    return true;
+        source.warn(kLeftOut, "/animations", "animations are not played; the file is shown at rest");
+    warnOfExtents(source, root);
+    return checkSchema(source, root) && checkRest(source, root);
 }
 
 } // namespace franken::gltf

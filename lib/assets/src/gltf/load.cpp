@@ -4,7 +4,8 @@
 #include <new>
 
 #include "franken/file.h"
-#include "gltf/internal.h"
+#include "gltf/material.h"
+#include "gltf/node.h"
 
 namespace franken {
 namespace gltf {
@@ -13,93 +14,29 @@ namespace {
 
 constexpr std::size_t kMaxParserBytes = 0xFFFFFFFF; ///< tinygltf counts in 32 bits.
 
-// Names and words of a file end up on terminals and in logs: on one line, and without what steers a terminal.
-std::string printable(std::string text) {
-    constexpr std::size_t kMaxChars = 400;
-    if (text.size() > kMaxChars)
-        text = text.substr(0, kMaxChars) + "...";
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-            c = '?';
-    return text;
-}
-
 } // namespace
 
-bool Source::fail(std::string_view code, const std::string& where, std::string what,
-                  std::string_view remedy) {
-    if (!error)
-        error = Error{std::string(code), where.empty() ? file : file + ": " + printable(where),
-                      printable(std::move(what)), std::string(remedy)};
-    return false;
-}
-
-bool Source::charge(std::size_t count, std::size_t bytesEach, const std::string& where) {
-    if (count > room() / bytesEach)
-        return fail("gltf.limit", where,
-                    "the file needs more memory than the limit of " +
-                        std::to_string(options.maxMemoryBytes >> 20) + " MiB",
-                    "make the model smaller, or raise LoadOptions::maxMemoryBytes");
-    charged += count * bytesEach;
-    return true;
-}
-
-void Source::warn(const std::string& where, const std::string& what) const {
-    if (log)
-        log(LogLevel::Warning,
-            (where.empty() ? file : file + ": " + printable(where)) + ": " + printable(what));
-}
-
-void Source::warnOnce(const std::string& what) {
-    if (warned.insert(what).second)
-        warn("", what);
-}
-
-bool Source::uses(std::string_view extension) const {
+bool Document::uses(std::string_view extension) const {
     return std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(), extension) !=
            model.extensionsUsed.end();
 }
 
 namespace {
 
-// Image bytes are read, and decoded, elsewhere.
-bool ignoreImage(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
-                 void*) {
-    return true;
-}
-
-std::string firstLine(const std::string& text) { return text.substr(0, text.find('\n')); }
-
-bool parse(Source& source, const std::string& text) {
-    tinygltf::TinyGLTF parser;
-    parser.SetImageLoader(ignoreImage, nullptr);
-    std::string errors, warnings;
-    if (!parser.LoadASCIIFromString(&source.model, &errors, &warnings, text.data(),
-                                    static_cast<unsigned int>(text.size()), ""))
-        return source.fail("gltf.json", "", "the parser refuses the file: " + firstLine(errors));
-    // tinygltf takes inverse bind matrices to be required; glTF does not.
-    if (!errors.empty() && errors.find("inverseBindMatrices") == std::string::npos)
-        source.warn("", "the parser left something out: " + firstLine(errors));
-    source.model.bufferViews.pop_back();
-    for (tinygltf::Accessor& accessor : source.model.accessors)
-        if (accessor.bufferView == source.placeholderView)
-            accessor.bufferView = kNone;
-    return true;
-}
-
-bool load(Source& source, const std::filesystem::path* folder, Scene& scene) {
-    std::string text;
-    if (!source.charge(source.bytes.size(), 1, "") || !openContainer(source) || !readJson(source, text) ||
-        !parse(source, text))
+bool load(Document& source, const std::filesystem::path* folder, Scene& scene) {
+    Json root;
+    if (!source.charge(source.bytes.size(), 1, "") || !openContainer(source) || !readJson(source, root) ||
+        !parseModel(source, root) || !validateData(source) || !validateTree(source) ||
+        !loadResources(source, folder) || !readMaterials(source, materialsInScene(source), scene) ||
+        !readNodes(source, scene))
         return false;
-    text = {};
-    return validateData(source) && validateTree(source) && loadResources(source, folder) &&
-           readMaterials(source, scene) && readNodes(source, scene);
+    source.warnOfUnneeded();
+    return true;
 }
 
 Result<Scene> loadBytes(std::span<const std::uint8_t> bytes, const std::string& name,
                         const std::filesystem::path* folder, const LoadOptions& options, const Log& log) {
-    Source source;
+    Document source;
     source.file = name;
     source.options = options;
     source.log = log;

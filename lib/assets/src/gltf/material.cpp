@@ -4,7 +4,7 @@
 
 #include <glm/common.hpp>
 
-#include "gltf/internal.h"
+#include "gltf/material.h"
 
 namespace franken::gltf {
 namespace {
@@ -34,7 +34,7 @@ glm::mat3 uvTransform(const tinygltf::Value& extension) {
 
 // Info is one of tinygltf's three kinds of textureInfo, which have no common base.
 template<typename Info>
-bool readRef(Source& source, const Info& info, const std::string& where, TextureRef& ref) {
+bool readRef(Document& source, const Info& info, const std::string& where, TextureRef& ref) {
     ref.texture = info.index;
     ref.uvSet = info.texCoord;
     const auto found = info.extensions.find("KHR_texture_transform");
@@ -50,16 +50,16 @@ bool readRef(Source& source, const Info& info, const std::string& where, Texture
                 return source.fail("gltf.value", where + "/extensions/KHR_texture_transform",
                                    "a number is not finite");
     if (ref && (ref.uvSet < 0 || ref.uvSet > 1)) {
-        source.warn(where,
+        source.warn(kLeftOut, where,
                     "TEXCOORD_" + std::to_string(ref.uvSet) + " is not supported, only 0 and 1: left out");
         ref = {};
     }
     return true;
 }
 
-float unit(Source& source, double value, const std::string& where) {
+float unit(Document& source, double value, const std::string& where) {
     if (value < 0.0 || value > 1.0)
-        source.warn(where, "a factor is outside 0..1: clamped");
+        source.warn(kMended, where, "a factor is outside 0..1: clamped");
     return glm::clamp(static_cast<float>(value), 0.0f, 1.0f);
 }
 
@@ -71,7 +71,7 @@ float emissiveStrength(const tinygltf::Material& material) {
     return strength.IsNumber() ? static_cast<float>(strength.GetNumberAsDouble()) : 1.0f;
 }
 
-bool readFactors(Source& source, const tinygltf::Material& from, const std::string& where,
+bool readFactors(Document& source, const tinygltf::Material& from, const std::string& where,
                  Material& material) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
     for (int i = 0; i < 4; ++i)
@@ -93,7 +93,14 @@ bool readFactors(Source& source, const tinygltf::Material& from, const std::stri
     return true;
 }
 
-bool readMaterial(Source& source, const tinygltf::Material& from, const std::string& where,
+// The texture says where a surface glows, and most of it does not: without it, none of it may.
+bool darken(Material& material, bool hadTexture) {
+    if (hadTexture && !material.emissiveTexture)
+        material.emissive = glm::vec3(0.0f);
+    return true;
+}
+
+bool readMaterial(Document& source, const tinygltf::Material& from, const std::string& where,
                   Material& material) {
     material.name = from.name;
     material.doubleSided = from.doubleSided;
@@ -112,10 +119,11 @@ bool readMaterial(Source& source, const tinygltf::Material& from, const std::str
                    material.metallicRoughnessTexture) &&
            readRef(source, from.normalTexture, where + "/normalTexture", material.normalTexture) &&
            readRef(source, from.occlusionTexture, where + "/occlusionTexture", material.occlusionTexture) &&
-           readRef(source, from.emissiveTexture, where + "/emissiveTexture", material.emissiveTexture);
+           readRef(source, from.emissiveTexture, where + "/emissiveTexture", material.emissiveTexture) &&
+           darken(material, from.emissiveTexture.index != kNone);
 }
 
-bool readWrap(Source& source, int value, const std::string& where, Wrap& wrap) {
+bool readWrap(Document& source, int value, const std::string& where, Wrap& wrap) {
     switch (value) {
     case TINYGLTF_TEXTURE_WRAP_REPEAT:
         wrap = Wrap::Repeat;
@@ -131,7 +139,7 @@ bool readWrap(Source& source, int value, const std::string& where, Wrap& wrap) {
     }
 }
 
-bool readFilter(Source& source, int value, bool isMag, const std::string& where, Filter& filter) {
+bool readFilter(Document& source, int value, bool isMag, const std::string& where, Filter& filter) {
     const int last = isMag ? TINYGLTF_TEXTURE_FILTER_LINEAR : TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_LINEAR;
     switch (value <= last ? value : 0) {
     case kNone:
@@ -159,21 +167,21 @@ bool readFilter(Source& source, int value, bool isMag, const std::string& where,
     }
 }
 
-bool readTexture(Source& source, std::size_t index, Texture& texture) {
+bool readTexture(Document& source, std::size_t index, Texture& texture) {
     const tinygltf::Texture& from = source.model.textures[index];
     texture.image = from.source;
     if (from.sampler == kNone)
         return true;
     const tinygltf::Sampler& sampler = source.model.samplers[at(from.sampler)];
     const std::string where = pathOf("samplers", from.sampler);
-    return readWrap(source, sampler.wrapS, where + "/wrapS", texture.wrapS) &&
+    return source.need(where) && readWrap(source, sampler.wrapS, where + "/wrapS", texture.wrapS) &&
            readWrap(source, sampler.wrapT, where + "/wrapT", texture.wrapT) &&
            readFilter(source, sampler.magFilter, true, where + "/magFilter", texture.magFilter) &&
            readFilter(source, sampler.minFilter, false, where + "/minFilter", texture.minFilter);
 }
 
 // Decodes what the materials use, and drops their uses of what cannot be had.
-bool resolveImages(Source& source, Scene& scene) {
+bool resolveImages(Document& source, Scene& scene) {
     std::vector<bool> used(source.images.size(), false), broken;
     const auto imageOf = [&scene](const TextureRef& ref) { return scene.textures[at(ref.texture)].image; };
     for (Material& material : scene.materials)
@@ -182,27 +190,38 @@ bool resolveImages(Source& source, Scene& scene) {
                 used[at(imageOf(*ref))] = true;
     if (!readImages(source, used, broken, scene.images))
         return false;
-    for (Material& material : scene.materials)
+    for (Material& material : scene.materials) {
+        const bool glowed = static_cast<bool>(material.emissiveTexture);
         for (TextureRef* ref : textureRefs(material)) {
             if (*ref && imageOf(*ref) == kNone)
-                source.warn(pathOf("textures", ref->texture),
+                source.warn(kLeftOut, pathOf("textures", ref->texture),
                             "the texture has no PNG or JPEG image: left out");
             if (*ref && (imageOf(*ref) == kNone || broken[at(imageOf(*ref))]))
                 *ref = {};
         }
+        darken(material, glowed);
+    }
     return true;
 }
 
 } // namespace
 
-bool readMaterials(Source& source, Scene& scene) {
+bool readMaterials(Document& source, const std::vector<bool>& used, Scene& scene) {
     scene.textures.resize(source.model.textures.size());
-    for (std::size_t i = 0; i < scene.textures.size(); ++i)
-        if (!readTexture(source, i, scene.textures[i]))
-            return false;
     scene.materials.resize(source.model.materials.size());
-    for (std::size_t i = 0; i < scene.materials.size(); ++i)
-        if (!readMaterial(source, source.model.materials[i], pathOf("materials", i), scene.materials[i]))
+    std::vector<bool> sampled(scene.textures.size(), false);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        Material& material = scene.materials[i];
+        const std::string where = pathOf("materials", i);
+        if (used[i] &&
+            (!source.need(where) || !readMaterial(source, source.model.materials[i], where, material)))
+            return false;
+        for (const TextureRef* ref : textureRefs(material))
+            if (*ref)
+                sampled[at(ref->texture)] = true;
+    }
+    for (std::size_t i = 0; i < scene.textures.size(); ++i)
+        if (sampled[i] && !(source.need(pathOf("textures", i)) && readTexture(source, i, scene.textures[i])))
             return false;
     return resolveImages(source, scene);
 }

@@ -5,7 +5,8 @@
 #include <glm/geometric.hpp>
 
 #include "franken/tangents.h"
-#include "gltf/internal.h"
+#include "gltf/accessor.h"
+#include "gltf/mesh.h"
 
 namespace franken::gltf {
 namespace {
@@ -16,11 +17,28 @@ int find(const tinygltf::Primitive& primitive, const std::string& name) {
 }
 
 template<typename Vector>
-bool readOptional(Source& source, int accessor, std::vector<Vector>& out) {
+bool readOptional(Document& source, int accessor, std::vector<Vector>& out) {
     return accessor == kNone || readVectors(source, accessor, out);
 }
 
-bool readColors(Source& source, int accessor, std::vector<glm::vec4>& colors) {
+// Exporters are known that write a third coordinate, which means nothing.
+bool readUv(Document& source, int accessor, std::vector<glm::vec2>& uv) {
+    if (accessor == kNone || width(source.model.accessors[at(accessor)]) == 2)
+        return readOptional(source, accessor, uv);
+    const std::size_t count = source.model.accessors[at(accessor)].count;
+    const auto each = at(width(source.model.accessors[at(accessor)]));
+    std::vector<float> numbers;
+    if (!source.charge(count, each * sizeof(float), pathOf("accessors", accessor)))
+        return false;
+    numbers.resize(count * each);
+    if (!readFloats(source, accessor, numbers))
+        return false;
+    for (std::size_t i = 0; i < count; ++i)
+        uv.emplace_back(numbers[i * each], numbers[i * each + 1]);
+    return true;
+}
+
+bool readColors(Document& source, int accessor, std::vector<glm::vec4>& colors) {
     if (accessor == kNone || source.model.accessors[at(accessor)].type == TINYGLTF_TYPE_VEC4)
         return readOptional(source, accessor, colors);
     std::vector<glm::vec3> opaque;
@@ -32,12 +50,12 @@ bool readColors(Source& source, int accessor, std::vector<glm::vec4>& colors) {
     return true;
 }
 
-bool readAttributes(Source& source, const tinygltf::Primitive& from, Primitive& primitive) {
+bool readAttributes(Document& source, const tinygltf::Primitive& from, Primitive& primitive) {
     return readVectors(source, find(from, "POSITION"), primitive.positions) &&
            readOptional(source, find(from, "NORMAL"), primitive.normals) &&
            readOptional(source, find(from, "TANGENT"), primitive.tangents) &&
-           readOptional(source, find(from, "TEXCOORD_0"), primitive.uv[0]) &&
-           readOptional(source, find(from, "TEXCOORD_1"), primitive.uv[1]) &&
+           readUv(source, find(from, "TEXCOORD_0"), primitive.uv[0]) &&
+           readUv(source, find(from, "TEXCOORD_1"), primitive.uv[1]) &&
            readColors(source, find(from, "COLOR_0"), primitive.colors);
 }
 
@@ -56,7 +74,7 @@ std::vector<std::uint32_t> triangles(const std::vector<std::uint32_t>& vertices,
     return list;
 }
 
-bool readTriangles(Source& source, const tinygltf::Primitive& from, const std::string& where,
+bool readTriangles(Document& source, const tinygltf::Primitive& from, const std::string& where,
                    Primitive& primitive) {
     const std::size_t count = primitive.positions.size();
     std::vector<std::uint32_t> vertices(count);
@@ -79,24 +97,46 @@ void turnTriangles(std::vector<std::uint32_t>& indices) {
 }
 
 glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise) {
-    const float length = glm::length(vector);
-    return length > 0.0f ? vector / length : otherwise;
+    const glm::dvec3 exact(vector); // whose square no float under- or overflows
+    const double length = glm::length(exact);
+    return length > 0.0 ? glm::vec3(exact / length) : otherwise;
 }
 
-void normalize(Primitive& primitive) {
+// A normal of no length says nothing: that of the triangles around the vertex stands in.
+void fillNormals(const Document& source, const std::string& where, Primitive& primitive) {
+    const auto isMissing = [](const glm::vec3& normal) { return normal == glm::vec3(0.0f); };
+    if (std::none_of(primitive.normals.begin(), primitive.normals.end(), isMissing))
+        return;
+    source.warn(kMended, where, "a normal has no length; the triangles around its vertex give it one");
+    std::vector<glm::dvec3> sums(primitive.positions.size(), glm::dvec3(0.0));
+    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        const std::uint32_t* corner = primitive.indices.data() + i;
+        const glm::dvec3 a(primitive.positions[corner[0]]), b(primitive.positions[corner[1]]),
+            c(primitive.positions[corner[2]]);
+        for (int j = 0; j < 3; ++j)
+            sums[corner[j]] += glm::cross(b - a, c - a);
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i)
+        if (const double length = glm::length(sums[i]); isMissing(primitive.normals[i]) && length > 0.0)
+            primitive.normals[i] = glm::vec3(sums[i] / length);
+}
+
+void normalize(const Document& source, const std::string& where, Primitive& primitive) {
+    fillNormals(source, where, primitive);
     for (glm::vec3& normal : primitive.normals)
         normal = unitOr(normal, {0.0f, 0.0f, 1.0f});
     for (glm::vec4& tangent : primitive.tangents)
         tangent = {unitOr(glm::vec3(tangent), {1.0f, 0.0f, 0.0f}), tangent.w < 0.0f ? -1.0f : 1.0f};
 }
 
-void completeTangents(Source& source, const Material& material, const std::string& where,
+void completeTangents(Document& source, const Material& material, const std::string& where,
                       Primitive& primitive) {
     if (!material.normalTexture || !primitive.tangents.empty())
         return;
     const std::vector<glm::vec2> uv = sampledUv(primitive, material.normalTexture);
     if (uv.empty())
-        return source.warn(where, "the material has a normal texture, but its UV stream is missing");
+        return source.warn(kLeftOut, where,
+                           "the material has a normal texture, but its UV stream is missing");
     computeTangents(primitive, uv);
 }
 
@@ -109,7 +149,7 @@ int materialOf(const tinygltf::Primitive& from, Scene& scene, std::size_t fileMa
 }
 
 // A buffer without URI, and not the binary chunk: glTF 2.0, 3.6.1.1, leaves its bytes to others.
-bool lacksData(const Source& source, const tinygltf::Primitive& from) {
+bool lacksData(const Document& source, const tinygltf::Primitive& from) {
     const auto lacks = [&source](int accessor) {
         const int view = source.model.accessors[at(accessor)].bufferView;
         if (view == kNone)
@@ -122,20 +162,20 @@ bool lacksData(const Source& source, const tinygltf::Primitive& from) {
            (from.indices != kNone && lacks(from.indices));
 }
 
-bool isDrawable(Source& source, const tinygltf::Primitive& from, const std::string& where) {
+bool isDrawable(Document& source, const tinygltf::Primitive& from, const std::string& where) {
     if (from.mode < TINYGLTF_MODE_TRIANGLES)
-        source.warnOnce("points and lines are not drawn");
+        source.warnOnce(kLeftOut, "points and lines are not drawn");
     else if (find(from, "POSITION") == kNone)
-        source.warn(where, "a primitive without positions is not drawn");
+        source.warn(kLeftOut, where, "a primitive without positions is not drawn");
     else if (lacksData(source, from))
-        source.warn(where, "a primitive whose buffer has neither URI nor data is not drawn");
+        source.warn(kLeftOut, where, "a primitive whose buffer has neither URI nor data is not drawn");
     else
         return true;
     return false;
 }
 
 // A small file can ask for the same accessors again and again, or for accessors that have no bytes.
-bool chargePrimitive(Source& source, const tinygltf::Primitive& from, const std::string& where) {
+bool chargePrimitive(Document& source, const tinygltf::Primitive& from, const std::string& where) {
     constexpr std::size_t kVertexBytes = 72;   // all attributes of a Primitive
     constexpr std::size_t kTangentBytes = 192; // computeTangents(), where it has to split every corner
     const std::size_t vertices = source.model.accessors[at(find(from, "POSITION"))].count;
@@ -149,9 +189,11 @@ bool chargePrimitive(Source& source, const tinygltf::Primitive& from, const std:
            source.charge(corners, 4 + (flat ? kVertexBytes : 0) + (tangents ? kTangentBytes : 0), where);
 }
 
-bool readPrimitive(Source& source, const tinygltf::Primitive& from, const std::string& where,
-                   const Pose& pose, Scene& scene, Primitive& primitive) {
-    if (!chargePrimitive(source, from, where) || !readAttributes(source, from, primitive) ||
+bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string& where, const Pose& pose,
+                   Scene& scene, Primitive& primitive) {
+    primitive.material = materialOf(from, scene, source.model.materials.size());
+    if (!chooseAttributes(source, scene.materials[at(primitive.material)], pose, where, from) ||
+        !chargePrimitive(source, from, where) || !readAttributes(source, from, primitive) ||
         !readTriangles(source, from, where, primitive))
         return false;
     if (pose.mirrored)
@@ -159,10 +201,9 @@ bool readPrimitive(Source& source, const tinygltf::Primitive& from, const std::s
     if (!applyMorph(source, from, where, pose.weights, primitive) ||
         (!pose.joints.empty() && !applySkin(source, from, where, pose.joints, primitive)))
         return false;
-    primitive.material = materialOf(from, scene, source.model.materials.size());
     if (primitive.normals.empty())
         computeFlatNormals(primitive);
-    normalize(primitive);
+    normalize(source, where, primitive);
     completeTangents(source, scene.materials[at(primitive.material)], where, primitive);
     for (const glm::vec3& position : primitive.positions)
         primitive.bounds.add(position);
@@ -171,11 +212,16 @@ bool readPrimitive(Source& source, const tinygltf::Primitive& from, const std::s
 
 } // namespace
 
-bool readMesh(Source& source, int index, const Pose& pose, Scene& scene, Mesh& mesh) {
+bool readMesh(Document& source, int index, const Pose& pose, Scene& scene, Mesh& mesh) {
+    if (!source.need(pathOf("meshes", index)))
+        return false;
     const tinygltf::Mesh& from = source.model.meshes[at(index)];
     mesh.name = from.name;
     for (std::size_t p = 0; p < from.primitives.size(); ++p) {
         const std::string where = pathOf("meshes", index, "primitives", p);
+        const int mode = from.primitives[p].mode;
+        if (mode < TINYGLTF_MODE_POINTS || mode > TINYGLTF_MODE_TRIANGLE_FAN)
+            return source.fail("gltf.value", where + "/mode", "there is no mode " + std::to_string(mode));
         if (!isDrawable(source, from.primitives[p], where))
             continue;
         Primitive primitive;

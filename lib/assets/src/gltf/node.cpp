@@ -10,7 +10,9 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
-#include "gltf/internal.h"
+#include "gltf/accessor.h"
+#include "gltf/mesh.h"
+#include "gltf/node.h"
 
 namespace franken::gltf {
 namespace {
@@ -62,6 +64,10 @@ std::vector<int> allRoots(const tinygltf::Model& model) {
     return roots;
 }
 
+std::vector<int> sceneRoots(const tinygltf::Model& model) {
+    return model.scenes.empty() ? allRoots(model) : model.scenes[at(std::max(model.defaultScene, 0))].nodes;
+}
+
 bool isFinite(const glm::mat4& matrix) {
     for (int column = 0; column < 4; ++column)
         for (int row = 0; row < 4; ++row)
@@ -71,7 +77,7 @@ bool isFinite(const glm::mat4& matrix) {
 }
 
 // Of all nodes, those outside the scene too, because a skin's joints may be there.
-bool worldMatrices(Source& source, std::vector<glm::dmat4>& worlds) {
+bool worldMatrices(Document& source, std::vector<glm::dmat4>& worlds) {
     const tinygltf::Model& model = source.model;
     worlds.resize(model.nodes.size());
     for (std::size_t i = 0; i < worlds.size(); ++i)
@@ -79,9 +85,11 @@ bool worldMatrices(Source& source, std::vector<glm::dmat4>& worlds) {
     for (const int node : depthFirst(model, allRoots(model))) {
         for (const int child : model.nodes[at(node)].children)
             worlds[at(child)] = worlds[at(node)] * worlds[at(child)];
-        if (!isFinite(glm::mat4(worlds[at(node)])))
-            return source.fail("gltf.value", pathOf("nodes", node),
-                               "the node's place in the world is not finite");
+        if (!isFinite(glm::mat4(worlds[at(node)]))) {
+            source.fail("gltf.value", pathOf("nodes", node), "the node's place in the world is not finite");
+            if (!source.defer(pathOf("nodes", node)))
+                return false;
+        }
     }
     return true;
 }
@@ -89,29 +97,32 @@ bool worldMatrices(Source& source, std::vector<glm::dmat4>& worlds) {
 /// Walks the nodes of the scene and adds what hangs on them.
 class Walker {
 public:
-    Walker(Source& source, Scene& scene) : m_source(source), m_scene(scene) {}
+    Walker(Document& source, Scene& scene) : m_source(source), m_scene(scene) {}
 
     bool walk() {
         const tinygltf::Model& model = m_source.model;
         if (!worldMatrices(m_source, m_worlds))
             return false;
-        const std::vector<int> roots =
-            model.scenes.empty() ? allRoots(model) : model.scenes[at(std::max(model.defaultScene, 0))].nodes;
+        if (!model.scenes.empty() && !m_source.need(pathOf("scenes", std::max(model.defaultScene, 0))))
+            return false;
         m_scene.instances.reserve(model.nodes.size());
-        for (const int node : depthFirst(model, roots))
-            if (!addMesh(node) || !addCamera(node) || !addLight(node))
+        for (const int node : depthFirst(model, sceneRoots(model)))
+            if (!need(node) || !addMesh(node) || !addCamera(node) || !addLight(node))
                 return false;
+        std::stable_sort(m_scene.cameras.begin(), m_scene.cameras.end(),
+                         [](const Camera& a, const Camera& b) { return a.index < b.index; });
         return true;
     }
 
 private:
+    bool need(int node) { return m_source.need(pathOf("nodes", node)); }
     bool readJointMatrices(int skin, const glm::dvec3& origin, std::vector<glm::mat4>& joints);
     bool findOrReadMesh(int fileMesh, const Pose& pose, int& mesh);
     bool addMesh(int node);
     bool addCamera(int node);
     bool addLight(int node);
 
-    Source& m_source;
+    Document& m_source;
     Scene& m_scene;
     std::vector<glm::dmat4> m_worlds;
     std::map<std::pair<int, std::vector<double>>, int> m_meshes; ///< By file mesh and weights.
@@ -120,6 +131,9 @@ private:
 // As seen from `origin`, so that vertices that floats can hold come out, wherever the skin is.
 bool Walker::readJointMatrices(int index, const glm::dvec3& origin, std::vector<glm::mat4>& joints) {
     const tinygltf::Skin& skin = m_source.model.skins[at(index)];
+    for (const int joint : skin.joints)
+        if (!need(joint))
+            return false;
     const std::size_t matrices =
         skin.inverseBindMatrices == kNone ? 0 : m_source.model.accessors[at(skin.inverseBindMatrices)].count;
     if (!m_source.charge(skin.joints.size() + matrices, 2 * sizeof(glm::mat4), pathOf("skins", index)))
@@ -169,7 +183,9 @@ bool Walker::addMesh(int index) {
     Pose pose;
     pose.weights = node.weights.empty() ? m_source.model.meshes[at(node.mesh)].weights : node.weights;
     if (node.skin != kNone) {
-        m_source.warnOnce("skins are not animated; the pose of the file is drawn");
+        if (!m_source.need(pathOf("skins", node.skin)))
+            return false;
+        m_source.warnOnce(kLeftOut, "skins are not animated; the pose of the file is drawn");
         pose.mirrored = std::exchange(mirrored, false);
         const glm::dvec3 origin(m_worlds[at(m_source.model.skins[at(node.skin)].joints[0])][3]);
         if (!readJointMatrices(node.skin, origin, pose.joints))
@@ -189,9 +205,11 @@ bool Walker::addCamera(int index) {
     const int number = m_source.model.nodes[at(index)].camera;
     if (number == kNone)
         return true;
+    const std::string where = pathOf("cameras", number);
     Camera camera;
-    if (!readCamera(m_source, number, camera))
-        return false;
+    if (!m_source.need(where) || !readCamera(m_source, number, camera))
+        return m_source.defer(where); // There are other cameras, or a framing one.
+    camera.node = m_source.model.nodes[at(index)].name;
     camera.world = m_worlds[at(index)];
     m_scene.cameras.push_back(camera);
     return true;
@@ -205,6 +223,8 @@ bool Walker::addLight(int index) {
     const tinygltf::Value& number = found->second.Get("light");
     if (!checkPresent(m_source, number.GetNumberAsInt(), m_source.model.lights.size(),
                       pathOf("nodes", index, "extensions/KHR_lights_punctual/light")))
+        return false;
+    if (!m_source.need(pathOf("extensions/KHR_lights_punctual/lights", number.GetNumberAsInt())))
         return false;
     Light light;
     if (!isKnownLight(m_source, number.GetNumberAsInt()))
@@ -222,6 +242,17 @@ bool Walker::addLight(int index) {
 
 } // namespace
 
-bool readNodes(Source& source, Scene& scene) { return Walker(source, scene).walk(); }
+std::vector<bool> materialsInScene(const Document& source) {
+    const tinygltf::Model& model = source.model;
+    std::vector<bool> used(model.materials.size(), false);
+    for (const int node : depthFirst(model, sceneRoots(model)))
+        if (const int mesh = model.nodes[at(node)].mesh; mesh != kNone)
+            for (const tinygltf::Primitive& primitive : model.meshes[at(mesh)].primitives)
+                if (primitive.material != kNone)
+                    used[at(primitive.material)] = true;
+    return used;
+}
+
+bool readNodes(Document& source, Scene& scene) { return Walker(source, scene).walk(); }
 
 } // namespace franken::gltf

@@ -5,14 +5,15 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 
-#include "gltf/internal.h"
+#include "gltf/accessor.h"
+#include "gltf/mesh.h"
 
 namespace franken::gltf {
 namespace {
 
 // Of a tangent, the first three: a target never flips the handedness.
 template<typename Vector>
-bool addDeltas(Source& source, int accessor, float weight, std::vector<Vector>& to) {
+bool addDeltas(Document& source, int accessor, float weight, std::vector<Vector>& to) {
     std::vector<glm::vec3> deltas;
     if (!source.charge(to.size(), sizeof(glm::vec3), pathOf("accessors", accessor)) ||
         !readVectors(source, accessor, deltas))
@@ -31,7 +32,7 @@ glm::mat3 cofactors(const glm::mat4& matrix) {
     return glm::dot(x, result[0]) < 0.0f ? -result : result;
 }
 
-bool checkFinitePositions(Source& source, const std::string& where, const Primitive& primitive) {
+bool checkFinitePositions(Document& source, const std::string& where, const Primitive& primitive) {
     for (const glm::vec3& position : primitive.positions)
         if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
             return source.fail("gltf.value", where, "the pose moves a vertex out of the range of floats");
@@ -40,7 +41,7 @@ bool checkFinitePositions(Source& source, const std::string& where, const Primit
 
 } // namespace
 
-bool applyMorph(Source& source, const tinygltf::Primitive& from, const std::string& where,
+bool applyMorph(Document& source, const tinygltf::Primitive& from, const std::string& where,
                 const std::vector<double>& weights, Primitive& primitive) {
     const std::size_t count = std::min(weights.size(), from.targets.size());
     for (std::size_t t = 0; t < count; ++t) {
@@ -56,7 +57,7 @@ bool applyMorph(Source& source, const tinygltf::Primitive& from, const std::stri
             else if (name == "TANGENT" && !primitive.tangents.empty())
                 read = addDeltas(source, accessor, weight, primitive.tangents);
             else if (name != "NORMAL" && name != "TANGENT")
-                source.warnOnce("morph targets of " + name + " are left out");
+                source.warnOnce(kLeftOut, "morph targets of " + name + " are left out");
             if (!read)
                 return false;
         }
@@ -64,11 +65,11 @@ bool applyMorph(Source& source, const tinygltf::Primitive& from, const std::stri
     return checkFinitePositions(source, where, primitive);
 }
 
-bool applySkin(Source& source, const tinygltf::Primitive& from, const std::string& where,
+bool applySkin(Document& source, const tinygltf::Primitive& from, const std::string& where,
                const std::vector<glm::mat4>& joints, Primitive& primitive) {
     const auto jointsAt = from.attributes.find("JOINTS_0"), weightsAt = from.attributes.find("WEIGHTS_0");
     if (jointsAt == from.attributes.end() || weightsAt == from.attributes.end()) {
-        source.warn(where, "a skinned mesh has no JOINTS_0 and WEIGHTS_0: drawn without its skin");
+        source.warn(kMended, where, "a skinned mesh has no JOINTS_0 and WEIGHTS_0: drawn without its skin");
         return true;
     }
     std::vector<glm::uvec4> numbers;
@@ -77,7 +78,7 @@ bool applySkin(Source& source, const tinygltf::Primitive& from, const std::strin
         !readJoints(source, jointsAt->second, numbers) || !readVectors(source, weightsAt->second, weights))
         return false;
     if (from.attributes.contains("JOINTS_1"))
-        source.warnOnce("more than four joints for a vertex are left out");
+        source.warnOnce(kLeftOut, "more than four joints for a vertex are left out");
     for (std::size_t i = 0; i < primitive.positions.size(); ++i) {
         glm::mat4 blended(0.0f);
         const float sum = weights[i].x + weights[i].y + weights[i].z + weights[i].w;

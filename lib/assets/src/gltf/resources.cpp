@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "gltf/internal.h"
+#include "gltf/gate.h"
 
 namespace franken::gltf {
 namespace {
@@ -13,8 +13,10 @@ bool fetch(Source& source, std::string& uri, const std::filesystem::path* folder
         readUri(uri, folder, std::min(source.options.maxFileBytes, source.room()));
     if (read) {
         bytes = *std::move(read);
-        if (uri.starts_with("data:"))
+        if (isDataUri(uri))
             uri = {}; // gives its memory back
+        else if (uri.find('\\') != std::string::npos)
+            source.warn(kMended, where, "the URI has a backslash, which is read as a slash");
         return source.charge(bytes.size(), 1, where);
     }
     problem = read.error().what;

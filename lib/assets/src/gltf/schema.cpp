@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "gltf/schema.h"
+#include "gltf/gate.h"
 
 #include <algorithm>
 #include <array>
@@ -18,17 +18,19 @@ enum class Kind {
     Index,      ///< A Natural that points into an array.
     Attributes, ///< An object whose every value is an Index.
     Object,
+    Name, ///< A string for people: a number will do.
 };
 
-constexpr std::array<std::string_view, 9> kDescriptions{"true or false",
-                                                        "a string",
-                                                        "a number",
-                                                        "an integer",
-                                                        "an integer that is not negative",
-                                                        "a size",
-                                                        "an index",
-                                                        "an object of indices",
-                                                        "an object"};
+constexpr std::array<std::string_view, 10> kDescriptions{"true or false",
+                                                         "a string",
+                                                         "a number",
+                                                         "an integer",
+                                                         "an integer that is not negative",
+                                                         "a size",
+                                                         "an index",
+                                                         "an object of indices",
+                                                         "an object",
+                                                         "a name"};
 
 struct Property;
 using Schema = std::span<const Property>;
@@ -41,7 +43,13 @@ struct Property {
     std::size_t length = kOne; ///< One value, or an array: of so many, or of any number.
     Schema members{};          ///< Of Kind::Object.
     bool required = false;
+    std::string_view empty{}; ///< What stands in for a faulty element of this array; none: it is refused.
 };
+
+/// An array of objects that the file may have more of than what is drawn needs.
+constexpr Property elements(std::string_view name, Schema members, std::string_view empty) {
+    return {name, Kind::Object, kMany, members, false, empty};
+}
 
 constexpr Property required(std::string_view name, Kind kind, std::size_t length = kOne,
                             Schema members = {}) {
@@ -70,7 +78,7 @@ constexpr Property kEmissiveStrength[]{{"emissiveStrength", Kind::Number}};
 constexpr Property kMaterialExtensions[]{
     {"KHR_materials_emissive_strength", Kind::Object, kOne, kEmissiveStrength},
     {"KHR_materials_unlit", Kind::Object}};
-constexpr Property kMaterial[]{{"name", Kind::String},
+constexpr Property kMaterial[]{{"name", Kind::Name},
                                {"pbrMetallicRoughness", Kind::Object, kOne, kPbr},
                                {"normalTexture", Kind::Object, kOne, kTextureInfo},
                                {"occlusionTexture", Kind::Object, kOne, kTextureInfo},
@@ -88,20 +96,17 @@ constexpr Property kSparseValues[]{required("bufferView", Kind::Index), {"byteOf
 constexpr Property kSparse[]{required("count", Kind::Natural),
                              required("indices", Kind::Object, kOne, kSparseIndices),
                              required("values", Kind::Object, kOne, kSparseValues)};
-constexpr Property kAccessor[]{{"name", Kind::String},         {"bufferView", Kind::Index},
+constexpr Property kAccessor[]{{"name", Kind::Name},           {"bufferView", Kind::Index},
                                {"byteOffset", Kind::Size},     required("componentType", Kind::Integer),
                                {"normalized", Kind::Boolean},  required("count", Kind::Size),
-                               required("type", Kind::String), {"min", Kind::Number, kMany},
-                               {"max", Kind::Number, kMany},   {"sparse", Kind::Object, kOne, kSparse}};
+                               required("type", Kind::String), {"sparse", Kind::Object, kOne, kSparse}};
 constexpr Property kBuffer[]{{"uri", Kind::String}, required("byteLength", Kind::Size)};
 constexpr Property kBufferView[]{required("buffer", Kind::Index),
                                  {"byteOffset", Kind::Size},
                                  required("byteLength", Kind::Size),
-                                 {"byteStride", Kind::Size},
-                                 {"target", Kind::Integer}};
-constexpr Property kImage[]{
-    {"name", Kind::String}, {"uri", Kind::String}, {"mimeType", Kind::String}, {"bufferView", Kind::Index}};
-constexpr Property kTexture[]{{"name", Kind::String}, {"sampler", Kind::Index}, {"source", Kind::Index}};
+                                 {"byteStride", Kind::Size}};
+constexpr Property kImage[]{{"name", Kind::Name}, {"uri", Kind::String}, {"bufferView", Kind::Index}};
+constexpr Property kTexture[]{{"name", Kind::Name}, {"sampler", Kind::Index}, {"source", Kind::Index}};
 constexpr Property kSampler[]{{"magFilter", Kind::Integer},
                               {"minFilter", Kind::Integer},
                               {"wrapS", Kind::Integer},
@@ -112,16 +117,14 @@ constexpr Property kPrimitive[]{required("attributes", Kind::Attributes),
                                 {"material", Kind::Index},
                                 {"mode", Kind::Integer},
                                 {"targets", Kind::Attributes, kMany}};
-constexpr Property kMesh[]{{"name", Kind::String},
+constexpr Property kMesh[]{{"name", Kind::Name},
                            required("primitives", Kind::Object, kMany, kPrimitive),
                            {"weights", Kind::Number, kMany}};
-constexpr Property kSkin[]{{"name", Kind::String},
-                           required("joints", Kind::Index, kMany),
-                           {"inverseBindMatrices", Kind::Index},
-                           {"skeleton", Kind::Index}};
+constexpr Property kSkin[]{
+    {"name", Kind::Name}, required("joints", Kind::Index, kMany), {"inverseBindMatrices", Kind::Index}};
 constexpr Property kNodeLight[]{required("light", Kind::Index)};
 constexpr Property kNodeExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kNodeLight}};
-constexpr Property kNode[]{{"name", Kind::String},
+constexpr Property kNode[]{{"name", Kind::Name},
                            {"camera", Kind::Index},
                            {"children", Kind::Index, kMany},
                            {"skin", Kind::Index},
@@ -132,7 +135,7 @@ constexpr Property kNode[]{{"name", Kind::String},
                            {"translation", Kind::Number, 3},
                            {"weights", Kind::Number, kMany},
                            {"extensions", Kind::Object, kOne, kNodeExtensions}};
-constexpr Property kScene[]{{"name", Kind::String}, {"nodes", Kind::Index, kMany}};
+constexpr Property kScene[]{{"name", Kind::Name}, {"nodes", Kind::Index, kMany}};
 
 constexpr Property kPerspective[]{{"aspectRatio", Kind::Number},
                                   required("yfov", Kind::Number),
@@ -140,35 +143,38 @@ constexpr Property kPerspective[]{{"aspectRatio", Kind::Number},
                                   required("znear", Kind::Number)};
 constexpr Property kOrthographic[]{required("xmag", Kind::Number), required("ymag", Kind::Number),
                                    required("zfar", Kind::Number), required("znear", Kind::Number)};
-constexpr Property kCamera[]{{"name", Kind::String},
+constexpr Property kCamera[]{{"name", Kind::Name},
                              required("type", Kind::String),
                              {"perspective", Kind::Object, kOne, kPerspective},
                              {"orthographic", Kind::Object, kOne, kOrthographic}};
+constexpr std::string_view kEmptyCamera =
+    R"({"type": "perspective", "perspective": {"yfov": 1, "znear": 1}})";
 constexpr Property kSpot[]{{"innerConeAngle", Kind::Number}, {"outerConeAngle", Kind::Number}};
-constexpr Property kLight[]{{"name", Kind::String},     required("type", Kind::String),
+constexpr Property kLight[]{{"name", Kind::Name},       required("type", Kind::String),
                             {"color", Kind::Number, 3}, {"intensity", Kind::Number},
                             {"range", Kind::Number},    {"spot", Kind::Object, kOne, kSpot}};
-constexpr Property kLights[]{required("lights", Kind::Object, kMany, kLight)};
+constexpr Property kLights[]{{"lights", Kind::Object, kMany, kLight, true, R"({"type": "point"})"}};
 constexpr Property kFileExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kLights}};
 constexpr Property kAsset[]{required("version", Kind::String)};
 
-constexpr Property kFile[]{required("asset", Kind::Object, kOne, kAsset),
-                           {"extensionsUsed", Kind::String, kMany},
-                           {"extensionsRequired", Kind::String, kMany},
-                           {"extensions", Kind::Object, kOne, kFileExtensions},
-                           {"buffers", Kind::Object, kMany, kBuffer},
-                           {"bufferViews", Kind::Object, kMany, kBufferView},
-                           {"accessors", Kind::Object, kMany, kAccessor},
-                           {"images", Kind::Object, kMany, kImage},
-                           {"samplers", Kind::Object, kMany, kSampler},
-                           {"textures", Kind::Object, kMany, kTexture},
-                           {"materials", Kind::Object, kMany, kMaterial},
-                           {"meshes", Kind::Object, kMany, kMesh},
-                           {"skins", Kind::Object, kMany, kSkin},
-                           {"cameras", Kind::Object, kMany, kCamera},
-                           {"nodes", Kind::Object, kMany, kNode},
-                           {"scenes", Kind::Object, kMany, kScene},
-                           {"scene", Kind::Index}};
+constexpr Property kFile[]{
+    required("asset", Kind::Object, kOne, kAsset),
+    {"extensionsUsed", Kind::String, kMany},
+    {"extensionsRequired", Kind::String, kMany},
+    {"extensions", Kind::Object, kOne, kFileExtensions},
+    {"buffers", Kind::Object, kMany, kBuffer},
+    {"bufferViews", Kind::Object, kMany, kBufferView},
+    elements("accessors", kAccessor, R"({"componentType": 5121, "count": 1, "type": "SCALAR"})"),
+    elements("images", kImage, R"({"uri": "data:,"})"),
+    elements("samplers", kSampler, "{}"),
+    elements("textures", kTexture, "{}"),
+    elements("materials", kMaterial, "{}"),
+    elements("meshes", kMesh, R"({"primitives": []})"),
+    elements("skins", kSkin, R"({"joints": []})"),
+    elements("cameras", kCamera, kEmptyCamera),
+    elements("nodes", kNode, "{}"),
+    elements("scenes", kScene, "{}"),
+    {"scene", Kind::Index}};
 
 /// Walks a document along the schema. Functions return false after an error.
 class Checker {
@@ -181,7 +187,9 @@ public:
         for (auto member = object.begin(); member != object.end();) {
             const auto property = std::find_if(schema.begin(), schema.end(),
                                                [&](const Property& p) { return p.name == member.key(); });
-            if (property == schema.end())
+            if (property != schema.end() && member->is_null())
+                m_source.warnOnce(kMended, "a null counts as a property that is absent");
+            if (property == schema.end() || member->is_null())
                 member = object.erase(member);
             else if (checkProperty(*member, *property, where + pathOf(property->name)))
                 ++member;
@@ -206,8 +214,19 @@ private:
                                      std::string(kDescriptions[static_cast<std::size_t>(property.kind)]) +
                                      (any ? "" : ", of length " + std::to_string(property.length)));
         for (std::size_t i = 0; i < value.size(); ++i)
-            if (!checkValue(value[i], property, where + pathOf(i)))
-                return false;
+            if (!checkValue(value[i], property, where + pathOf(i))) {
+                if (property.empty.empty() || !m_source.defer(where + pathOf(i)))
+                    return false;
+                value[i] = Json::parse(property.empty);
+            }
+        return true;
+    }
+
+    bool checkName(Json& value, const std::string& where) {
+        if (!value.is_string()) {
+            m_source.warn(kMended, where, "a name is a string");
+            value = value.is_structured() ? "" : value.dump();
+        }
         return true;
     }
 
@@ -219,6 +238,8 @@ private:
             return value.is_string() || wrongType(property.kind, where);
         case Kind::Number:
             return value.is_number() || wrongType(property.kind, where);
+        case Kind::Name:
+            return checkName(value, where);
         case Kind::Attributes:
             return checkAttributes(value, where);
         case Kind::Object:
@@ -246,9 +267,11 @@ private:
     bool checkAttributes(Json& object, const std::string& where) {
         if (!object.is_object())
             return wrongType(Kind::Attributes, where);
-        for (const auto& [name, value] : object.items())
-            if (!checkInteger(value, Kind::Index, where + pathOf(name)))
+        for (auto member = object.begin(); member != object.end();) {
+            if (!member->is_null() && !checkInteger(*member, Kind::Index, where + pathOf(member.key())))
                 return false;
+            member = member->is_null() ? object.erase(member) : std::next(member);
+        }
         return true;
     }
 

@@ -2,14 +2,13 @@
 #include <algorithm>
 #include <initializer_list>
 
-#include "gltf/internal.h"
+#include "gltf/accessor.h"
 
 namespace franken::gltf {
 namespace {
 
-constexpr int kByte = TINYGLTF_COMPONENT_TYPE_BYTE, kUByte = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-              kShort = TINYGLTF_COMPONENT_TYPE_SHORT, kUShort = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-              kUInt = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, kFloat = TINYGLTF_COMPONENT_TYPE_FLOAT;
+constexpr int kUByte = TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
+              kUShort = TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, kUInt = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 
 constexpr std::size_t kMaxElements = 0x7FFFFFFF;
 
@@ -21,11 +20,11 @@ bool isOneOf(int value, std::initializer_list<int> values) {
     return std::find(values.begin(), values.end(), value) != values.end();
 }
 
-bool typeError(Source& source, const std::string& where, const std::string& what) {
+bool typeError(Document& source, const std::string& where, const std::string& what) {
     return source.fail("gltf.type", where, what);
 }
 
-bool checkViews(Source& source) {
+bool checkViews(Document& source) {
     for (std::size_t i = 0; i < source.model.bufferViews.size(); ++i) {
         const tinygltf::BufferView& view = source.model.bufferViews[i];
         const std::string where = pathOf("bufferViews", i);
@@ -40,24 +39,23 @@ bool checkViews(Source& source) {
 }
 
 // `count` elements of `size` bytes, `stride` apart, inside a view; written so that nothing overflows.
-bool checkRange(Source& source, int view, std::size_t offset, std::size_t count, std::size_t size,
-                bool strided, const std::string& where) {
+bool fits(std::size_t length, std::size_t offset, std::size_t count, std::size_t size, std::size_t stride) {
+    return offset <= length && size <= length - offset && count - 1 <= (length - offset - size) / stride;
+}
+
+bool checkRange(Document& source, int view, std::size_t offset, std::size_t count, std::size_t size,
+                std::size_t stride, const std::string& where) {
     if (!checkPresent(source, view, source.model.bufferViews.size(), where + "/bufferView"))
         return false;
-    const tinygltf::BufferView& from = source.model.bufferViews[at(view)];
-    const std::size_t stride = strided && from.byteStride ? from.byteStride : size;
-    if (stride < size)
-        return typeError(source, where,
-                         "the stride of " + std::to_string(stride) + " bytes is less than an element");
-    const std::size_t length = from.byteLength;
-    if (offset > length || size > length - offset || count - 1 > (length - offset - size) / stride)
+    const std::size_t length = source.model.bufferViews[at(view)].byteLength;
+    if (!fits(length, offset, count, size, stride))
         return source.fail("gltf.bounds", where,
                            std::to_string(count) + " elements reach outside their view of " +
                                std::to_string(length) + " bytes");
     return true;
 }
 
-bool checkSparse(Source& source, const tinygltf::Accessor& accessor, std::size_t elementSize,
+bool checkSparse(Document& source, const tinygltf::Accessor& accessor, std::size_t size,
                  const std::string& where) {
     const auto& sparse = accessor.sparse;
     if (sparse.count < 1 || at(sparse.count) > accessor.count)
@@ -68,27 +66,41 @@ bool checkSparse(Source& source, const tinygltf::Accessor& accessor, std::size_t
     const auto indexOffset = static_cast<std::size_t>(sparse.indices.byteOffset);
     const auto valueOffset = static_cast<std::size_t>(sparse.values.byteOffset);
     return checkRange(source, sparse.indices.bufferView, indexOffset, at(sparse.count),
-                      componentSize(sparse.indices.componentType), false, where + "/indices") &&
-           checkRange(source, sparse.values.bufferView, valueOffset, at(sparse.count), elementSize, false,
+                      componentSize(sparse.indices.componentType),
+                      componentSize(sparse.indices.componentType), where + "/indices") &&
+           checkRange(source, sparse.values.bufferView, valueOffset, at(sparse.count), size, size,
                       where + "/values");
 }
 
-// What `min` and `max` say is not believed, but has to make sense.
-bool checkExtent(Source& source, const tinygltf::Accessor& accessor, const std::string& where) {
-    const std::vector<double>&least = accessor.minValues, &most = accessor.maxValues;
-    for (const std::vector<double>* values : {&least, &most})
-        if (!values->empty() && values->size() != at(width(accessor)))
-            return typeError(source, where + (values == &least ? "/min" : "/max"),
-                             "there is a number for each component, or none");
-    if (!checkFinite(source, least, where + "/min") || !checkFinite(source, most, where + "/max"))
-        return false;
-    for (std::size_t i = 0; i < std::min(least.size(), most.size()); ++i)
-        if (least[i] > most[i])
-            return source.fail("gltf.value", where + "/min" + pathOf(i), "the minimum is above the maximum");
+std::size_t elementSize(const tinygltf::Accessor& accessor) {
+    return componentSize(accessor.componentType) * at(width(accessor));
+}
+
+// The stride of the view, which is for vertices: indices that do not fit it, and fit without it, have none.
+bool findStride(Document& source, std::size_t index, bool isIndices, const std::string& where) {
+    const tinygltf::Accessor& accessor = source.model.accessors[index];
+    const std::size_t size = elementSize(accessor);
+    std::size_t& stride = source.accessorStrides[index];
+    stride = size;
+    if (accessor.bufferView == kNone ||
+        !checkPresent(source, accessor.bufferView, source.model.bufferViews.size(), where + "/bufferView"))
+        return !source.error;
+    const std::size_t declared = source.strides[at(accessor.bufferView)];
+    if (declared == 0)
+        return true;
+    if (isIndices)
+        source.warn(kMended, pathOf("bufferViews", accessor.bufferView), "a view of indices has no stride");
+    const std::size_t length = source.model.bufferViews[at(accessor.bufferView)].byteLength;
+    if (isIndices && (declared < size || !fits(length, accessor.byteOffset, accessor.count, size, declared)))
+        return true;
+    if (declared < size)
+        return typeError(source, where,
+                         "the stride of " + std::to_string(declared) + " bytes is less than an element");
+    stride = declared;
     return true;
 }
 
-bool checkAccessor(Source& source, std::size_t index) {
+bool checkAccessor(Document& source, std::size_t index, bool isIndices) {
     const tinygltf::Accessor& accessor = source.model.accessors[index];
     const std::string where = pathOf("accessors", index);
     if (accessor.count < 1)
@@ -97,100 +109,65 @@ bool checkAccessor(Source& source, std::size_t index) {
         return source.fail("gltf.limit", where + "/count",
                            std::to_string(accessor.count) + " elements are more than 32-bit indices reach",
                            "split the mesh");
-    if (!checkExtent(source, accessor, where))
+    const std::size_t size = elementSize(accessor);
+    if (!findStride(source, index, isIndices, where))
         return false;
-    const std::size_t size = componentSize(accessor.componentType) * at(width(accessor));
     if (accessor.bufferView != kNone &&
-        !checkRange(source, accessor.bufferView, accessor.byteOffset, accessor.count, size, true, where))
+        !checkRange(source, accessor.bufferView, accessor.byteOffset, accessor.count, size,
+                    source.accessorStrides[index], where))
         return false;
     return !accessor.sparse.isSparse || checkSparse(source, accessor, size, where + "/sparse");
 }
 
-// What a semantic may be stored as: glTF 2.0, 3.7.2.1, and the tables of KHR_mesh_quantization.
-bool isAllowed(const tinygltf::Accessor& accessor, const std::string& name, bool isTarget, bool quantized) {
-    const int type = accessor.type, component = accessor.componentType;
-    const bool normalized = accessor.normalized;
-    const bool isSigned = isOneOf(component, {kByte, kShort}),
-               isUnsigned = isOneOf(component, {kUByte, kUShort});
-    const bool plainFloat = component == kFloat;
-    if (name == "POSITION")
-        return type == TINYGLTF_TYPE_VEC3 &&
-               (plainFloat || (quantized && (isSigned || (isUnsigned && !isTarget))));
-    if (name == "NORMAL")
-        return type == TINYGLTF_TYPE_VEC3 && (plainFloat || (quantized && isSigned && normalized));
-    if (name == "TANGENT")
-        return type == (isTarget ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC4) &&
-               (plainFloat || (quantized && isSigned && normalized));
-    if (name.starts_with("TEXCOORD_"))
-        return type == TINYGLTF_TYPE_VEC2 &&
-               (plainFloat || (isUnsigned && normalized) || (quantized && (isSigned || isUnsigned)));
-    if (name.starts_with("COLOR_"))
-        return isOneOf(type, {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}) &&
-               (plainFloat || (isUnsigned && normalized));
-    if (name.starts_with("JOINTS_"))
-        return type == TINYGLTF_TYPE_VEC4 && isUnsigned && !normalized;
-    if (name.starts_with("WEIGHTS_"))
-        return type == TINYGLTF_TYPE_VEC4 && (plainFloat || (isUnsigned && normalized));
-    return true; // an application's own
-}
-
-bool checkAttributes(Source& source, const std::map<std::string, int>& attributes, std::size_t& count,
-                     bool isTarget, const std::string& where) {
-    for (const auto& [name, index] : attributes) {
-        const std::string path = where + pathOf(name);
-        if (!checkPresent(source, index, source.model.accessors.size(), path))
+bool checkPresent(Document& source, const std::map<std::string, int>& attributes, const std::string& where) {
+    for (const auto& [name, index] : attributes)
+        if (!checkPresent(source, index, source.model.accessors.size(), where + pathOf(name)))
             return false;
-        const tinygltf::Accessor& accessor = source.model.accessors[at(index)];
-        if (!isAllowed(accessor, name, isTarget, source.uses("KHR_mesh_quantization")))
-            return typeError(source, path, "glTF does not allow " + name + " in the accessor's type");
-        if (count == 0)
-            count = accessor.count;
-        if (accessor.count != count)
-            return typeError(source, path,
-                             "the attribute has " + std::to_string(accessor.count) +
-                                 " elements, another one of the primitive " + std::to_string(count));
-    }
     return true;
 }
 
-bool checkPrimitive(Source& source, const tinygltf::Primitive& primitive, const std::string& where) {
-    if (primitive.mode < TINYGLTF_MODE_POINTS || primitive.mode > TINYGLTF_MODE_TRIANGLE_FAN)
-        return source.fail("gltf.value", where + "/mode",
-                           "there is no mode " + std::to_string(primitive.mode));
+bool checkPrimitive(Document& source, const tinygltf::Primitive& primitive, const std::string& where) {
     if (!checkIndex(source, primitive.material, source.model.materials.size(), where + "/material") ||
-        !checkIndex(source, primitive.indices, source.model.accessors.size(), where + "/indices"))
-        return false;
-    if (primitive.indices >= 0) {
-        const tinygltf::Accessor& accessor = source.model.accessors[at(primitive.indices)];
-        if (accessor.type != TINYGLTF_TYPE_SCALAR || accessor.normalized ||
-            !isOneOf(accessor.componentType, {kUByte, kUShort, kUInt}))
-            return typeError(source, where + "/indices", "indices are unsigned integers");
-    }
-    std::size_t count = 0;
-    if (!checkAttributes(source, primitive.attributes, count, false, where + "/attributes"))
+        !checkIndex(source, primitive.indices, source.model.accessors.size(), where + "/indices") ||
+        !checkPresent(source, primitive.attributes, where + "/attributes"))
         return false;
     for (std::size_t t = 0; t < primitive.targets.size(); ++t)
-        if (!checkAttributes(source, primitive.targets[t], count, true, where + pathOf("targets", t)))
+        if (!checkPresent(source, primitive.targets[t], where + pathOf("targets", t)))
             return false;
     return true;
+}
+
+bool checkMesh(Document& source, std::size_t index) {
+    const tinygltf::Mesh& mesh = source.model.meshes[index];
+    for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
+        if (!checkPrimitive(source, mesh.primitives[p], pathOf("meshes", index, "primitives", p)))
+            return false;
+    const std::string where = pathOf("meshes", index);
+    return checkFinite(source, mesh.weights, where + "/weights") || source.defer(where);
+}
+
+std::vector<bool> indicesOf(const tinygltf::Model& model) {
+    std::vector<bool> isIndices(model.accessors.size(), false);
+    for (const tinygltf::Mesh& mesh : model.meshes)
+        for (const tinygltf::Primitive& primitive : mesh.primitives)
+            if (primitive.indices >= 0 && at(primitive.indices) < isIndices.size())
+                isIndices[at(primitive.indices)] = true;
+    return isIndices;
 }
 
 } // namespace
 
-bool validateData(Source& source) {
+bool validateData(Document& source) {
     if (!checkViews(source))
         return false;
+    const std::vector<bool> isIndices = indicesOf(source.model);
+    source.accessorStrides.assign(source.model.accessors.size(), 0);
     for (std::size_t i = 0; i < source.model.accessors.size(); ++i)
-        if (!checkAccessor(source, i))
+        if (!checkAccessor(source, i, isIndices[i]) && !source.defer(pathOf("accessors", i)))
             return false;
-    for (std::size_t m = 0; m < source.model.meshes.size(); ++m) {
-        const tinygltf::Mesh& mesh = source.model.meshes[m];
-        if (!checkFinite(source, mesh.weights, pathOf("meshes", m, "weights")))
+    for (std::size_t m = 0; m < source.model.meshes.size(); ++m)
+        if (!checkMesh(source, m))
             return false;
-        for (std::size_t p = 0; p < mesh.primitives.size(); ++p)
-            if (!checkPrimitive(source, mesh.primitives[p], pathOf("meshes", m, "primitives", p)))
-                return false;
-    }
     return true;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "gltf/internal.h"
+#include "gltf/document.h"
 
 namespace franken::gltf {
 
@@ -26,14 +26,14 @@ bool checkFinite(Source& source, const std::vector<double>& numbers, const std::
 
 namespace {
 
-bool checkLength(Source& source, const std::vector<double>& numbers, std::size_t length,
+bool checkLength(Document& source, const std::vector<double>& numbers, std::size_t length,
                  const std::string& where) {
     if (!numbers.empty() && numbers.size() != length)
         return source.fail("gltf.type", where, std::to_string(length) + " numbers are expected here");
     return checkFinite(source, numbers, where);
 }
 
-bool checkAllPresent(Source& source, const std::vector<int>& indices, std::size_t size,
+bool checkAllPresent(Document& source, const std::vector<int>& indices, std::size_t size,
                      const std::string& where) {
     for (std::size_t i = 0; i < indices.size(); ++i)
         if (!checkPresent(source, indices[i], size, where + pathOf(i)))
@@ -41,7 +41,7 @@ bool checkAllPresent(Source& source, const std::vector<int>& indices, std::size_
     return true;
 }
 
-bool checkNode(Source& source, std::size_t index) {
+bool checkNode(Document& source, std::size_t index) {
     const tinygltf::Model& model = source.model;
     const tinygltf::Node& node = model.nodes[index];
     const std::string where = pathOf("nodes", index);
@@ -57,7 +57,7 @@ bool checkNode(Source& source, std::size_t index) {
 }
 
 // With one parent at most for each node, whoever walks up more steps than there are nodes is in a cycle.
-bool checkForest(Source& source) {
+bool checkForest(Document& source) {
     const std::size_t count = source.model.nodes.size();
     std::vector<int> parent(count, kNone);
     for (std::size_t i = 0; i < count; ++i)
@@ -79,15 +79,15 @@ bool checkForest(Source& source) {
     return true;
 }
 
-bool checkSkin(Source& source, std::size_t index) {
+bool checkSkin(Document& source, std::size_t index) {
     const tinygltf::Skin& skin = source.model.skins[index];
     const std::string where = pathOf("skins", index);
-    if (skin.joints.empty())
-        return source.fail("gltf.type", where + "/joints", "a skin has at least one joint");
     if (!checkAllPresent(source, skin.joints, source.model.nodes.size(), where + "/joints") ||
         !checkIndex(source, skin.inverseBindMatrices, source.model.accessors.size(),
                     where + "/inverseBindMatrices"))
         return false;
+    if (skin.joints.empty())
+        return source.fail("gltf.type", where + "/joints", "a skin has at least one joint");
     if (skin.inverseBindMatrices == kNone)
         return true;
     const tinygltf::Accessor& matrices = source.model.accessors[at(skin.inverseBindMatrices)];
@@ -98,7 +98,7 @@ bool checkSkin(Source& source, std::size_t index) {
     return true;
 }
 
-bool checkMaterial(Source& source, std::size_t index) {
+bool checkMaterial(Document& source, std::size_t index) {
     const tinygltf::Material& material = source.model.materials[index];
     const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
     const std::string where = pathOf("materials", index);
@@ -118,7 +118,7 @@ bool checkMaterial(Source& source, std::size_t index) {
                        where);
 }
 
-bool checkTextures(Source& source) {
+bool checkTextures(Document& source) {
     const tinygltf::Model& model = source.model;
     for (std::size_t i = 0; i < model.textures.size(); ++i)
         if (!checkIndex(source, model.textures[i].source, model.images.size(),
@@ -133,7 +133,7 @@ bool checkTextures(Source& source) {
     return true;
 }
 
-bool checkScenes(Source& source) {
+bool checkScenes(Document& source) {
     const tinygltf::Model& model = source.model;
     for (std::size_t i = 0; i < model.scenes.size(); ++i)
         if (!checkAllPresent(source, model.scenes[i].nodes, model.nodes.size(), pathOf("scenes", i, "nodes")))
@@ -143,15 +143,15 @@ bool checkScenes(Source& source) {
 
 } // namespace
 
-bool validateTree(Source& source) {
+bool validateTree(Document& source) {
     for (std::size_t i = 0; i < source.model.nodes.size(); ++i)
-        if (!checkNode(source, i))
+        if (!checkNode(source, i) && !source.defer(pathOf("nodes", i)))
             return false;
     for (std::size_t i = 0; i < source.model.skins.size(); ++i)
-        if (!checkSkin(source, i))
+        if (!checkSkin(source, i) && !source.defer(pathOf("skins", i)))
             return false;
     for (std::size_t i = 0; i < source.model.materials.size(); ++i)
-        if (!checkMaterial(source, i))
+        if (!checkMaterial(source, i) && !source.defer(pathOf("materials", i)))
             return false;
     return checkTextures(source) && checkScenes(source) && checkForest(source);
 }

@@ -4,16 +4,17 @@
 #include <glm/common.hpp>
 #include <glm/ext/scalar_constants.hpp>
 
-#include "gltf/internal.h"
+#include "gltf/node.h"
 
 namespace franken::gltf {
 
-bool readCamera(Source& source, int index, Camera& camera) {
+bool readCamera(Document& source, int index, Camera& camera) {
     const tinygltf::Camera& from = source.model.cameras[at(index)];
     const tinygltf::PerspectiveCamera& perspective = from.perspective;
     const tinygltf::OrthographicCamera& orthographic = from.orthographic;
     const bool isPerspective = from.type == "perspective"; // tinygltf knows no third type
     camera.name = from.name;
+    camera.index = index;
     camera.projection = isPerspective ? Camera::Projection::Perspective : Camera::Projection::Orthographic;
     camera.yfov = static_cast<float>(perspective.yfov);
     camera.aspectRatio = static_cast<float>(perspective.aspectRatio);
@@ -34,16 +35,31 @@ bool readCamera(Source& source, int index, Camera& camera) {
            source.fail("gltf.value", pathOf("cameras", index), "the camera's numbers make no projection");
 }
 
-bool isKnownLight(Source& source, int index) {
+bool isKnownLight(Document& source, int index) {
     const std::string& type = source.model.lights[at(index)].type;
     if (type == "directional" || type == "point" || type == "spot")
         return true;
-    source.warn(pathOf("extensions/KHR_lights_punctual/lights", index),
+    source.warn(kLeftOut, pathOf("extensions/KHR_lights_punctual/lights", index),
                 "a light of type " + type + " is not known: left out");
     return false;
 }
 
-bool readLight(Source& source, int index, Light& light) {
+namespace {
+
+// Cones that are no cones have one meaning: the narrowest or the widest that there is; where no light is left
+// between them, the edge is sharp.
+void mendCones(const Document& source, const std::string& where, Light& light) {
+    constexpr float kRounding = 1.0001f; // of exporters
+    const float widest = 0.5f * glm::pi<float>(), inner = light.innerConeAngle, outer = light.outerConeAngle;
+    if (!(inner >= 0.0f && inner < outer && outer <= widest * kRounding))
+        source.warn(kMended, where, "a spot's cones are 0 <= inner < outer <= pi/2");
+    light.outerConeAngle = glm::clamp(outer, 0.0f, widest);
+    light.innerConeAngle = glm::clamp(inner, 0.0f, light.outerConeAngle);
+}
+
+} // namespace
+
+bool readLight(Document& source, int index, Light& light) {
     const tinygltf::Light& from = source.model.lights[at(index)];
     const std::string where = pathOf("extensions/KHR_lights_punctual/lights", index);
     const auto fail = [&](const char* what) { return source.fail("gltf.value", where, what); };
@@ -61,13 +77,16 @@ bool readLight(Source& source, int index, Light& light) {
     light.innerConeAngle = static_cast<float>(from.spot.innerConeAngle);
     light.outerConeAngle = static_cast<float>(from.spot.outerConeAngle);
     const float least = std::fmin(std::fmin(light.color.x, light.color.y), light.color.z);
-    const float sum = light.color.x + light.color.y + light.color.z + light.intensity + light.range;
-    if (!std::isfinite(sum) || least < 0.0f || light.intensity < 0.0f || light.range < 0.0f)
-        return fail("a light's colour, intensity or range is negative or not finite");
-    const float widest = 0.5f * glm::pi<float>() * 1.0001f; // exporters round
-    if (light.innerConeAngle < 0.0f || !(light.innerConeAngle < light.outerConeAngle) ||
-        light.outerConeAngle > widest)
-        return fail("a spot's cones are 0 <= inner < outer <= pi/2");
+    const float sum = light.color.x + light.color.y + light.color.z + light.intensity + light.range +
+                      light.innerConeAngle + light.outerConeAngle;
+    if (!std::isfinite(sum) || least < 0.0f || light.intensity < 0.0f)
+        return fail("a light's colour, intensity or range is not finite, or one of the first two negative");
+    if (light.range < 0.0f) {
+        source.warn(kMended, where + "/range", "a range is above 0: without one it is infinite");
+        light.range = 0.0f;
+    }
+    if (light.kind == Light::Kind::Spot)
+        mendCones(source, where + "/spot", light);
     return true;
 }
 
