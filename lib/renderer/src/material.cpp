@@ -138,10 +138,12 @@ private:
     void planEmissive() {
         if (m_material.emissive == glm::vec3(0))
             return;
-        choices().emissive =
-            take(m_material.emissiveTexture, "emissive", "uEmissiveTexture", choices().emissiveUv)
-                ? Emissive::Texture
-                : Emissive::Factor;
+        if (take(m_material.emissiveTexture, "emissive", "uEmissiveTexture", choices().emissiveUv))
+            choices().emissive = Emissive::Texture;
+        else if (!m_material.emissiveTexture)
+            choices().emissive = Emissive::Factor;
+        else
+            return; // The texture says where a surface glows: without it, none of it may.
         m_plan.factors.emissive = {m_material.emissive.r, m_material.emissive.g, m_material.emissive.b};
     }
 

@@ -58,6 +58,9 @@ MalformedFile gallery(const std::string& what, const std::string& picture, int i
         file.append("images", {{"mimeType", "image/png"}, {"bufferView", view}});
         file.append("textures", {{"source", i}});
         file.append("materials", {{"emissiveTexture", {{"index", i}}}});
+        Json primitive = file.json["meshes"][0]["primitives"][0];
+        primitive["material"] = i;
+        file.json["meshes"][0]["primitives"].push_back(primitive);
     }
     return {"greedy/" + what, "glb", file.bytes(true), code};
 }

@@ -65,6 +65,15 @@ std::vector<std::string> requiredProperties() {
     return pointers;
 }
 
+/// What nothing that is drawn needs: a fault in it is a warning. (The first camera is missed, not needed.)
+bool isUnneeded(const Pointer& pointer) {
+    const std::string text = pointer.to_string();
+    for (const char* end : {"/name", "/mimeType", "/target", "/skeleton", "/min", "/min/0", "/max", "/max/0"})
+        if (text.ends_with(end))
+            return true;
+    return text.starts_with("/cameras/");
+}
+
 /// soundModel(), and each file is it with one value changed.
 class Changes {
 public:
@@ -74,13 +83,15 @@ public:
     void set(const std::string& what, const Pointer& at, const Json& value, const char* code) {
         Json json = m_sound;
         json[at] = value;
-        m_files.push_back({"schema/" + what + at.to_string(), "gltf", json.dump(), code, at.to_string()});
+        m_files.push_back({"schema/" + what + at.to_string(), "gltf", json.dump(), isUnneeded(at) ? "" : code,
+                           isUnneeded(at) ? "" : at.to_string()});
     }
     void remove(const Pointer& at) {
         Json json = m_sound;
         json[at.parent_pointer()].erase(at.back());
-        m_files.push_back({"schema/missing" + at.to_string(), "gltf", json.dump(), "gltf.schema",
-                           at.parent_pointer().to_string()});
+        m_files.push_back({"schema/missing" + at.to_string(), "gltf", json.dump(),
+                           isUnneeded(at) ? "" : "gltf.schema",
+                           isUnneeded(at) ? "" : at.parent_pointer().to_string()});
     }
     std::vector<MalformedFile> files() && { return std::move(m_files); }
 

@@ -191,10 +191,11 @@ bool checkIndices(Document& source, int index, const std::string& where) {
 
 bool chooseAttributes(Document& source, const Material& material, const Pose& pose, const std::string& where,
                       tinygltf::Primitive& primitive) {
-    if (!checkIndices(source, primitive.indices, where + "/indices"))
+    const int position = primitive.attributes["POSITION"];
+    if (!source.need(pathOf("accessors", position)) ||
+        !checkIndices(source, primitive.indices, where + "/indices"))
         return false;
-    Chooser chooser(source, material, pose,
-                    source.model.accessors[at(primitive.attributes["POSITION"])].count);
+    Chooser chooser(source, material, pose, source.model.accessors[at(position)].count);
     if (!chooser.choose(primitive.attributes, false, true, where + "/attributes"))
         return false;
     for (std::size_t t = 0; t < primitive.targets.size(); ++t) {

@@ -220,9 +220,12 @@ bool readMaterials(Document& source, const std::vector<bool>& used, Scene& scene
             if (*ref)
                 sampled[at(ref->texture)] = true;
     }
-    for (std::size_t i = 0; i < scene.textures.size(); ++i)
-        if (sampled[i] && !(source.need(pathOf("textures", i)) && readTexture(source, i, scene.textures[i])))
+    for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+        const std::string where = pathOf("textures", i);
+        if (!(source.need(where) && readTexture(source, i, scene.textures[i])) &&
+            (sampled[i] || !source.defer(where)))
             return false;
+    }
     return resolveImages(source, scene);
 }
 
