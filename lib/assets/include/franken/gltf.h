@@ -37,23 +37,27 @@ struct LoadOptions {
 ///
 /// Known extensions: KHR_lights_punctual, KHR_materials_emissive_strength, KHR_materials_unlit,
 /// KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires is an error that names
-/// it.
+/// it, unless a picture at rest is right without.
 ///
 /// The file may be an enemy's. Its container, JSON, names and types are checked before a parser sees them,
 /// all that came out of the parser is checked again, and image headers are read before images are decoded.
-/// Accessors' `min` and `max` must make sense, but are not believed: boxes are measured.
+/// Accessors' `min` and `max` are not believed: boxes are measured.
+///
+/// What endangers memory or has two readings is an error. What has one reading is drawn by it, and what is wrong
+/// with a part that nothing drawn needs costs that part alone: a warning names the fault then. The table of both
+/// is in lib/assets/README.md.
 ///
 /// Files that it refers to are looked for in its folder and below, nowhere else: not over a network, not by
-/// an absolute path, not by "..", not by a symbolic link out of it. An image that is missing or broken is a
-/// warning. Everything else is an error, whose `where` is "file: /json/path" ("file: byte N" for a syntax
-/// error, only the file where the container is at fault):
+/// an absolute path, not by a ".." that leaves it, not by a symbolic link out of it. An image that is missing or
+/// broken is a warning. An error's `where` is "file: /json/path" ("file: byte N" for a syntax error, only the file
+/// where the container is at fault):
 ///
 ///     gltf.file            cannot be read, or is over maxFileBytes
 ///     gltf.buffer          the bytes of a buffer that is drawn are missing
 ///     gltf.container       a .glb whose chunks do not fit
 ///     gltf.json            not JSON
 ///     gltf.schema          a property is missing, or has another JSON type or array length than glTF's
-///     gltf.version         not glTF 2.x
+///     gltf.version         not glTF 2.x, or for readers of more than 2.0
 ///     gltf.extension       requires an extension that is not known
 ///     gltf.index-range     an index that points at nothing
 ///     gltf.bounds          an accessor or view that reaches outside its buffer
@@ -62,6 +66,12 @@ struct LoadOptions {
 ///     gltf.node-tree       nodes in a cycle, or with two parents
 ///     gltf.vertex-range    a vertex index that is not below the vertex count
 ///     gltf.limit           deeper than 64, more than the options allow, or than there is memory
+///
+/// Warnings end with their code in brackets:
+///
+///     gltf.mended          a fault that has one reading, by which it is drawn
+///     gltf.unneeded        a fault in a part that nothing drawn needs; with the code that it would have
+///     gltf.left-out        a part that is not drawn
 ///
 /// Safe on any thread; decodes images on several of its own.
 Result<Scene> loadGltf(const std::filesystem::path& path, const LoadOptions& options = {},
