@@ -54,8 +54,7 @@ TEST(ErrorTable, HasNoOtherCodes) {
     const std::string table = textOf(root / "lib/assets/README.md");
     static const std::regex kCode("`((gltf|image|hdr|sky|height|file)\\.[a-z]+(-[a-z]+)*)`");
     for (std::sregex_iterator match(table.begin(), table.end(), kCode), end; match != end; ++match)
-        if ((*match)[1] != "gltf.h")
-            EXPECT_TRUE(codes.contains((*match)[1])) << (*match)[1];
+        EXPECT_TRUE((*match)[1] == "gltf.h" || codes.contains((*match)[1])) << (*match)[1];
 }
 
 } // namespace
