@@ -5,6 +5,7 @@
 #include "common/progress_bar.h"
 #include "franken/exposure.h"
 #include "franken/manifest.h"
+#include "franken/snippet_folder.h"
 #include "loading.h"
 #include "picture.h"
 #include "setup.h"
@@ -142,7 +143,7 @@ Result<Drawn> Session::drawVisibly(Subject& subject, const std::optional<Snippet
 std::optional<Failure> Session::draw() {
     std::optional<SnippetSet> snippets;
     if (!m_options.snippets.empty()) {
-        const Result<SnippetSet> read = SnippetSet::read(m_options.snippets);
+        const Result<SnippetSet> read = readSnippets(m_options.snippets);
         if (!read)
             return Failure{read.error(), ExitCode::Refused};
         snippets = *read;

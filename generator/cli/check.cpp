@@ -19,6 +19,15 @@ void checkBudget(const Program& program, const Profile& profile, std::vector<Fin
                             adviceFor(burst)});
 }
 
+void checkUnits(const Program& program, const Profile& profile, std::vector<Finding>& findings) {
+    std::string roles;
+    for (const std::string_view role : budget(program.composed.interface, profile).rolesBeyond)
+        roles.append(roles.empty() ? "" : ", ").append(role);
+    if (!roles.empty())
+        findings.push_back({program.name, "budget", std::string(profile.name),
+                            "there is no texture unit for: " + roles, "leave the texture out"});
+}
+
 void checkLint(const Program& program, std::vector<Finding>& findings) {
     for (const LintFinding& finding : lintProgram(program.composed))
         findings.push_back({program.name, "lint", toString(finding.origin),
@@ -44,8 +53,10 @@ Result<void> checkBatch(const std::vector<Program>& batch, const std::vector<Pro
         external = *std::move(found);
     }
     for (std::size_t i = 0; i < batch.size(); ++i) {
-        for (const Profile& profile : profiles)
+        for (const Profile& profile : profiles) {
             checkBudget(batch[i], profile, findings);
+            checkUnits(batch[i], profile, findings);
+        }
         checkLint(batch[i], findings);
         findings.insert(findings.end(), external[i].begin(), external[i].end());
     }

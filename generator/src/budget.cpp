@@ -3,6 +3,7 @@
 
 #include "franken/generator/choices.h"
 #include "franken/generator/compose.h"
+#include "franken/generator/texture_role.h"
 
 #include <algorithm>
 #include <numeric>
@@ -149,13 +150,9 @@ int usedOf(const Interface& interface, Resource resource) {
     case Resource::Samplers:
         return static_cast<int>(interface.samplers.size());
     case Resource::Lights:
-        break;
+        return interface.lights;
     }
-    const auto isLight = [](const Uniform& uniform) {
-        return (uniform.name.starts_with("uSun") || uniform.name.starts_with("uPunctual")) &&
-               uniform.name.ends_with("Radiance");
-    };
-    return static_cast<int>(std::count_if(interface.uniforms.begin(), interface.uniforms.end(), isLight));
+    return 0;
 }
 
 // The largest number of lights of a program: all suns and punctual lights.
@@ -204,7 +201,8 @@ Result<Profile> findProfile(std::string_view name) {
 }
 
 bool Budget::fits() const {
-    return std::none_of(uses.begin(), uses.end(), [](const Use& use) { return use.bursts(); });
+    return rolesBeyond.empty() &&
+           std::none_of(uses.begin(), uses.end(), [](const Use& use) { return use.bursts(); });
 }
 
 Budget budget(const Interface& interface, const Profile& profile) {
@@ -213,6 +211,9 @@ Budget budget(const Interface& interface, const Profile& profile) {
         const auto resource = static_cast<Resource>(i);
         result.uses[i] = {resource, usedOf(interface, resource), limitOf(interface, profile, resource)};
     }
+    for (const Sampler& sampler : interface.samplers)
+        if (sampler.unit >= result[Resource::Samplers].limit)
+            result.rolesBeyond.push_back(findTextureRole(sampler.name)->name);
     return result;
 }
 

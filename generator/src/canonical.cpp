@@ -2,8 +2,10 @@
 #include "canonical.h"
 
 #include "franken/generator/choices.h"
+#include "franken/generator/texture_role.h"
 #include "recipe.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -78,7 +80,6 @@ struct Rule {
     std::string_view what, remedy;
 };
 
-constexpr UvStream kUv1 = UvStream::Uv1;
 constexpr Rule kRules[] = {
     {"occlusion",
      [](const Permutation& p) {
@@ -88,23 +89,8 @@ constexpr Rule kRules[] = {
      "add 'metalrough', or use 'occlusion' for a texture of its own"},
     {"uv0Transform", [](const Permutation& p) { return p.uv0Transform && !anyReads(p, UvStream::Uv0); },
      "no texture reads stream 0", "drop the word, or add the texture"},
-    {"uv1Transform", [](const Permutation& p) { return p.uv1Transform && !anyReads(p, kUv1); },
+    {"uv1Transform", [](const Permutation& p) { return p.uv1Transform && !anyReads(p, UvStream::Uv1); },
      "no texture reads stream 1", "drop the word, or let a texture read stream 1"},
-    {"baseColorUv", [](const Permutation& p) { return p.baseColorUv == kUv1 && !p.baseColorTexture; },
-     "there is no base colour texture", "add 'basecolor', or drop the word"},
-    {"metallicRoughnessUv",
-     [](const Permutation& p) {
-         return p.metallicRoughnessUv == kUv1 && p.metallicRoughness == MetallicRoughness::Factors;
-     },
-     "there is no metallic-roughness texture", "add 'metalrough', or drop the word"},
-    {"normalUv", [](const Permutation& p) { return p.normalUv == kUv1 && p.normal != Normal::Map; },
-     "there is no normal map", "add 'normal', or drop the word"},
-    {"occlusionUv",
-     [](const Permutation& p) { return p.occlusionUv == kUv1 && p.occlusion != Occlusion::Texture; },
-     "there is no occlusion texture of its own", "add 'occlusion', or drop the word"},
-    {"emissiveUv",
-     [](const Permutation& p) { return p.emissiveUv == kUv1 && p.emissive != Emissive::Texture; },
-     "there is no emissive texture", "add 'emissive', or drop the word"},
     {"reflection",
      [](const Permutation& p) { return p.reflection != Reflection::None && p.ambient != Ambient::Sky; },
      "there is no sky to reflect", "add 'sh', or drop the word"},
@@ -121,6 +107,11 @@ std::optional<Error> findContradiction(const Permutation& p) {
         if (rule.broken(p))
             return contradiction(choiceNamed(rule.choice), p, std::string(rule.what),
                                  std::string(rule.remedy));
+    for (const TextureRoleRow& role : textureRoles())
+        if (role.stream != nullptr && p.*role.stream != UvStream::Uv0 && !isRead(p, role.stream))
+            return Error{"permutation.contradiction", std::string(role.word) + "-uv1",
+                         "there is no " + std::string(role.name) + " texture of its own",
+                         "add '" + std::string(role.word) + "', or drop the word"};
     return std::nullopt;
 }
 
@@ -137,12 +128,17 @@ void unifyViews(Canonical& canonical) {
 
 } // namespace
 
+bool isRead(const Permutation& p, UvStream Permutation::*stream) {
+    const std::span<const TextureRoleRow> roles = textureRoles();
+    return std::any_of(roles.begin(), roles.end(),
+                       [&](const TextureRoleRow& role) { return role.stream == stream && role.there(p); });
+}
+
 bool anyReads(const Permutation& p, UvStream stream) {
-    return (p.baseColorTexture && p.baseColorUv == stream) ||
-           (p.metallicRoughness != MetallicRoughness::Factors && p.metallicRoughnessUv == stream) ||
-           (p.normal == Normal::Map && p.normalUv == stream) ||
-           (p.occlusion == Occlusion::Texture && p.occlusionUv == stream) ||
-           (p.emissive == Emissive::Texture && p.emissiveUv == stream);
+    const std::span<const TextureRoleRow> roles = textureRoles();
+    return std::any_of(roles.begin(), roles.end(), [&](const TextureRoleRow& role) {
+        return role.stream != nullptr && role.there(p) && p.*role.stream == stream;
+    });
 }
 
 Result<Canonical> canonicalise(const Permutation& permutation) {

@@ -11,4 +11,7 @@ Permutation fragmentChoices(const Permutation& permutation);
 /// Whether a texture reads that stream of coordinates.
 bool anyReads(const Permutation& permutation, UvStream stream);
 
+/// Whether a texture is there whose coordinates this choice picks the stream of; roles may share a choice.
+bool isRead(const Permutation& permutation, UvStream Permutation::*stream);
+
 } // namespace franken

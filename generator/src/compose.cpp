@@ -150,6 +150,8 @@ void composeStage(const Permutation& permutation, const SnippetSet& snippets, St
     writeMain(writer, parts, steps);
     for (const Part* part : parts)
         addInterface(interface, part->interface);
+    if (stage == Stage::Fragment)
+        interface.lights = lightsIn(steps);
 }
 
 // The line number in "0:12(5): ..." or "ERROR: 0:12: ...", 0 where there is none.

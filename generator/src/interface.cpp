@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/interface.h"
 
+#include "franken/generator/texture_role.h"
+
 #include <array>
 #include <utility>
 
@@ -24,31 +26,22 @@ constexpr std::array<std::string_view, 4> kBlocks = {"frame", "lights", "materia
 using Slot = std::pair<std::string_view, int>;
 constexpr std::array<Slot, 6> kAttributes = {
     {{"aPosition", 0}, {"aNormal", 1}, {"aTangent", 2}, {"aUv0", 3}, {"aUv1", 4}, {"aColor", 5}}};
-constexpr std::array<Slot, 10> kSamplers = {{{"uBaseColorTexture", 0},
-                                             {"uNormalTexture", 1},
-                                             {"uMetallicRoughnessTexture", 2},
-                                             {"uMetallicTexture", 2},
-                                             {"uRoughnessTexture", 3},
-                                             {"uOcclusionTexture", 4},
-                                             {"uEmissiveTexture", 5},
-                                             {"uSkyTexture", 6},
-                                             {"uReflectionTexture", 6},
-                                             {"uReflectionLookup", 7}}};
-
-template<std::size_t Size>
-int find(const std::array<Slot, Size>& slots, std::string_view name) {
-    for (const auto& [slotName, slot] : slots)
-        if (slotName == name)
-            return slot;
-    return -1;
-}
-
 } // namespace
 
 std::string_view toGlsl(Type type) { return kTypes[static_cast<std::size_t>(type)].glsl; }
 int componentCount(Type type) { return kTypes[static_cast<std::size_t>(type)].components; }
 std::string_view toText(Block block) { return kBlocks[static_cast<std::size_t>(block)]; }
-int attributeLocation(std::string_view name) { return find(kAttributes, name); }
-int samplerUnit(std::string_view name) { return find(kSamplers, name); }
+
+int attributeLocation(std::string_view name) {
+    for (const auto& [attribute, location] : kAttributes)
+        if (attribute == name)
+            return location;
+    return -1;
+}
+
+int samplerUnit(std::string_view name) {
+    const TextureRoleRow* row = findTextureRole(name);
+    return row != nullptr ? static_cast<int>(row->unit) : -1;
+}
 
 } // namespace franken

@@ -2,6 +2,7 @@
 #include "franken/generator/ladder.h"
 
 #include "canonical.h"
+#include "franken/generator/texture_role.h"
 
 #include <algorithm>
 #include <cassert>
@@ -58,12 +59,9 @@ constexpr Change kRungs[] = {
 
 /// What went may leave choices behind that contradict its absence.
 void dropUnreadStreams(Permutation& p) {
-    const auto resetUnless = [](bool kept, UvStream& stream) { stream = kept ? stream : UvStream::Uv0; };
-    resetUnless(p.baseColorTexture, p.baseColorUv);
-    resetUnless(p.metallicRoughness != MetallicRoughness::Factors, p.metallicRoughnessUv);
-    resetUnless(p.normal == Normal::Map, p.normalUv);
-    resetUnless(p.occlusion == Occlusion::Texture, p.occlusionUv);
-    resetUnless(p.emissive == Emissive::Texture, p.emissiveUv);
+    for (const TextureRoleRow& role : textureRoles())
+        if (role.stream != nullptr && !isRead(p, role.stream))
+            p.*role.stream = UvStream::Uv0;
     p.uv0Transform = p.uv0Transform && anyReads(p, UvStream::Uv0);
     p.uv1Transform = p.uv1Transform && anyReads(p, UvStream::Uv1);
 }

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 
 namespace franken {
 namespace {
@@ -119,10 +121,11 @@ Float3 packDither(const std::array<int, 3>& bits) {
 
 namespace {
 
+// A '#' stands for the number of a light; `stride` is how far apart two neighbours' values are.
 struct Field {
     Block block;
     std::string_view uniform;
-    std::size_t bytes;
+    std::size_t bytes, stride = 0;
 };
 
 constexpr Field kFields[] = {
@@ -133,12 +136,17 @@ constexpr Field kFields[] = {
     {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
     {Block::Lights, "uAmbient", offsetof(LightsBlock, ambient)},
     {Block::Lights, "uSky", offsetof(LightsBlock, sky)},
-    {Block::Lights, "uSun#Direction", offsetof(LightsBlock, sunDirection)},
-    {Block::Lights, "uSun#Radiance", offsetof(LightsBlock, sunRadiance)},
-    {Block::Lights, "uPunctual#Position", offsetof(LightsBlock, punctualPosition)},
-    {Block::Lights, "uPunctual#Radiance", offsetof(LightsBlock, punctualRadiance)},
-    {Block::Lights, "uPunctual#Axis", offsetof(LightsBlock, punctualAxis)},
-    {Block::Lights, "uPunctual#Cone", offsetof(LightsBlock, punctualCone)},
+    {Block::Lights, "uSun#Direction", offsetof(LightsBlock, sunDirection),
+     sizeof(LightsBlock::sunDirection[0])},
+    {Block::Lights, "uSun#Radiance", offsetof(LightsBlock, sunRadiance), sizeof(LightsBlock::sunRadiance[0])},
+    {Block::Lights, "uPunctual#Position", offsetof(LightsBlock, punctualPosition),
+     sizeof(LightsBlock::punctualPosition[0])},
+    {Block::Lights, "uPunctual#Radiance", offsetof(LightsBlock, punctualRadiance),
+     sizeof(LightsBlock::punctualRadiance[0])},
+    {Block::Lights, "uPunctual#Axis", offsetof(LightsBlock, punctualAxis),
+     sizeof(LightsBlock::punctualAxis[0])},
+    {Block::Lights, "uPunctual#Cone", offsetof(LightsBlock, punctualCone),
+     sizeof(LightsBlock::punctualCone[0])},
     {Block::Material, "uBaseColor", offsetof(MaterialBlock, baseColor)},
     {Block::Material, "uBaseColorCubic", offsetof(MaterialBlock, baseColorCubic)},
     {Block::Material, "uMetallicRoughness", offsetof(MaterialBlock, metallicRoughness)},
@@ -158,30 +166,30 @@ constexpr Field kFields[] = {
     {Block::Object, "uOverlay", offsetof(ObjectBlock, overlay)},
 };
 
-// How far apart two neighbouring lights' values are.
-std::size_t strideOf(std::string_view property) {
-    if (property == "Position")
-        return sizeof(Float4);
-    return property == "Cone" ? sizeof(Float2) : sizeof(Float3);
+// Where the field's value for that uniform is, in bytes, if it is the field's at all.
+std::optional<std::size_t> bytesIn(const Field& field, std::string_view uniform) {
+    if (field.stride == 0)
+        return field.uniform == uniform ? std::optional(field.bytes) : std::nullopt;
+    const std::size_t hash = field.uniform.find('#');
+    const std::string_view head = field.uniform.substr(0, hash), tail = field.uniform.substr(hash + 1);
+    if (uniform.size() <= head.size() + tail.size() || !uniform.starts_with(head) || !uniform.ends_with(tail))
+        return std::nullopt;
+    const char* const begin = uniform.data() + head.size();
+    const char* const end = uniform.data() + uniform.size() - tail.size();
+    std::size_t light = 0;
+    const auto [stop, failed] = std::from_chars(begin, end, light);
+    if (failed != std::errc() || stop != end || light >= Permutation::kMaxLights)
+        return std::nullopt;
+    return field.bytes + light * field.stride;
 }
 
 } // namespace
 
 int fieldOffset(Block block, std::string_view uniform) {
-    const std::size_t digit = uniform.find_first_of("0123456789");
-    const bool light = block == Block::Lights && digit != std::string_view::npos;
-    for (const Field& field : kFields) {
-        if (field.block != block)
-            continue;
-        if (field.uniform == uniform)
-            return static_cast<int>(field.bytes / sizeof(float));
-        const std::size_t hash = field.uniform.find('#');
-        if (!light || hash != digit || field.uniform.substr(0, hash) != uniform.substr(0, digit) ||
-            field.uniform.substr(hash + 1) != uniform.substr(digit + 1))
-            continue;
-        const auto index = static_cast<std::size_t>(uniform[digit] - '0');
-        return static_cast<int>((field.bytes + index * strideOf(uniform.substr(digit + 1))) / sizeof(float));
-    }
+    for (const Field& field : kFields)
+        if (field.block == block)
+            if (const auto bytes = bytesIn(field, uniform))
+                return static_cast<int>(*bytes / sizeof(float));
     return -1;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recipe.h"
 
+#include <algorithm>
+
 namespace franken {
 
 std::vector<Step> plan(const Permutation& p, Stage stage) {
@@ -29,6 +31,16 @@ std::vector<Step> plan(const Permutation& p) {
     const std::vector<Step> fragment = plan(p, Stage::Fragment);
     steps.insert(steps.end(), fragment.begin(), fragment.end());
     return steps;
+}
+
+int lightsIn(const std::vector<Step>& steps) {
+    int suns = 0, punctualLights = 0;
+    for (const Step& step : steps) {
+        const Each each = recipe()[step.row].each;
+        suns = each == Each::Sun ? std::max(suns, step.light + 1) : suns;
+        punctualLights = each == Each::Punctual ? std::max(punctualLights, step.light + 1) : punctualLights;
+    }
+    return suns + punctualLights;
 }
 
 } // namespace franken

@@ -59,4 +59,7 @@ std::vector<Step> plan(const Permutation& permutation);
 /// One stage's part of it.
 std::vector<Step> plan(const Permutation& permutation, Stage stage);
 
+/// Suns and punctual lights that a plan has a part for.
+int lightsIn(const std::vector<Step>& steps);
+
 } // namespace franken

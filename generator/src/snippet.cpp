@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <optional>
 #include <utility>
 
@@ -72,6 +73,18 @@ std::optional<Declaration::Kind> findKind(std::string_view line) {
     return std::nullopt;
 }
 
+// Of "[9];": 9. 1 where there is no array, 0 for what is no length.
+int takeCount(std::string_view rest) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(' '), rest.size()));
+    if (!rest.starts_with('['))
+        return 1;
+    const std::string_view length = rest.substr(1, rest.find(']') - 1);
+    int count = 0;
+    const auto [end, failed] = std::from_chars(length.data(), length.data() + length.size(), count);
+    const bool whole = rest.find(']') != rest.npos && end == length.data() + length.size();
+    return failed == std::errc() && whole && count > 0 ? count : 0;
+}
+
 Result<Declaration> parseDeclaration(std::string_view line, Declaration::Kind kind, std::string_view file,
                                      int number) {
     std::string_view rest = line;
@@ -85,8 +98,9 @@ Result<Declaration> parseDeclaration(std::string_view line, Declaration::Kind ki
     if (!type || name.empty() || !pieces)
         return badLine(file, number, "a declaration needs a type and a name");
     Declaration declaration{kind, *type, Block::Frame, 1, *pieces, number};
-    if (rest.starts_with('['))
-        declaration.count = rest[1] - '0';
+    declaration.count = takeCount(rest);
+    if (declaration.count == 0)
+        return badLine(file, number, "the length of an array is a number from 1, as in 'uName[9]'");
     if (kind == Declaration::Kind::Uniform) {
         const std::size_t comment = rest.find("// ");
         const auto block =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/snippet_set.h"
 
-#include "franken/printable.h"
 #include "library.h"
 
 #include <algorithm>
@@ -11,8 +10,6 @@
 
 namespace franken {
 namespace {
-
-constexpr std::size_t kMaxFileBytes = std::size_t{64} * 1024;
 
 const SnippetFile& builtInFile(const Row& row) {
     const std::span<const SnippetFile> files = embeddedSnippets();
@@ -62,26 +59,15 @@ Result<void> checkInterface(const Snippet& snippet, std::uint8_t row) {
             known->second.block != declaration.block)
             return Error{"snippet.interface", toString(LineOrigin{snippet.name, declaration.line}),
                          "'" + name + "' is not declared so in any snippet of this build",
-                         "give it a place in pack.h or interface.h, and build"};
+                         "give it a place in pack.h or texture_role.h, and build"};
     }
     return {};
 }
 
-Result<std::string> readText(const std::filesystem::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    std::string text(kMaxFileBytes + 1, '\0');
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    if (!file.eof() || text.empty())
-        return Error{"snippet.file", path.string(), "cannot be read, is empty or is larger than 64 KiB",
-                     "give a folder that is laid out as generator/glsl is"};
-    return std::string(withoutByteOrderMark(text));
-}
-
 // Whoever gave the folder finds the file by the name that he gave.
-Error inFolder(Error error, const std::filesystem::path& folder) {
+Error inFolder(Error error, const std::string& folder) {
     if (error.where.starts_with(kSnippetFolder))
-        error.where = folder.string() + error.where.substr(kSnippetFolder.size());
+        error.where = folder + error.where.substr(kSnippetFolder.size());
     return error;
 }
 
@@ -98,15 +84,20 @@ const SnippetSet& SnippetSet::builtIn() {
     return set;
 }
 
-Result<SnippetSet> SnippetSet::read(const std::filesystem::path& folder) {
+std::vector<std::string> SnippetSet::names() {
+    std::vector<std::string> names;
+    for (const SnippetFile& file : embeddedSnippets())
+        names.emplace_back(file.name);
+    return names;
+}
+
+Result<SnippetSet> SnippetSet::make(const Source& source, std::string folder) {
     auto parts = std::make_shared<Parts>();
-    parts->folder = folder.string();
-    while (parts->folder.size() > 1 && parts->folder.ends_with('/'))
-        parts->folder.pop_back();
+    parts->folder = std::move(folder);
     for (std::uint8_t row = 0; row < recipe().size(); ++row) {
         // Lines of programs go on naming their snippet when this text is gone: by the built-in file's name.
         const std::string_view name = builtInFile(recipe()[row]).name;
-        const Result<std::string> text = readText(folder / (std::string(name) + ".glsl"));
+        const Result<std::string> text = source(name);
         if (!text)
             return text.error();
         const Result<Snippet> snippet = parseSnippet({name, *text});

@@ -70,6 +70,28 @@ TEST(Budget, CountsEachResourceOnItsOwn) {
     EXPECT_TRUE(result.fits());
 }
 
+TEST(Budget, NamesTheRolesThatHaveNoUnit) {
+    Interface interface;
+    interface.samplers = {{"uNormalTexture", Type::Sampler2D, 1, Block::Material},
+                          {"uOcclusionTexture", Type::Sampler2D, 8, Block::Material},
+                          {"uEmissiveTexture", Type::Sampler2D, 9, Block::Material}};
+    const Budget least = budget(interface, profile("es2-minimum"));
+    EXPECT_EQ(least.rolesBeyond, (std::vector<std::string_view>{"occlusion", "emissive"}));
+    EXPECT_FALSE(least.fits());
+    EXPECT_FALSE(least[Resource::Samplers].bursts()) << "three of eight";
+    EXPECT_TRUE(budget(interface, profile("vc4")).fits());
+}
+
+TEST(Budget, LightsAreThoseOfThePlan) {
+    for (const auto& [name, lights] : {std::pair("sun2+punctual3", 5),
+                                       {"sun4", 4},
+                                       {"normal+sun2+vertexlight", 2},
+                                       {"sh+reflection+sun1+punctual1+spots", 2},
+                                       {"sh", 0},
+                                       {"sky", 0}})
+        EXPECT_EQ(compose(named(name)).interface.lights, lights) << name;
+}
+
 TEST(Budget, AProfileIsFoundByNameOrTheNamesAreOffered) {
     for (const Profile& each : profiles())
         EXPECT_EQ(findProfile(each.name)->name, each.name);

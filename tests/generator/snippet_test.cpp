@@ -44,7 +44,29 @@ constexpr BadSnippet kBad[] = {
     {"//! declarations\nuniform float uX; // camera: x\n", "'// block: meaning'", 2},
     {"//! declarations\nuniform int uX; // frame: x\n", "a type and a name", 2},
     {"//! declarations\nvarying vec3 ;\n", "a type and a name", 2},
+    {"//! declarations\nuniform vec3 uX[]; // frame: x\n", "the length of an array", 2},
+    {"//! declarations\nuniform vec3 uX[0]; // frame: x\n", "the length of an array", 2},
+    {"//! declarations\nuniform vec3 uX[-2]; // frame: x\n", "the length of an array", 2},
+    {"//! declarations\nuniform vec3 uX[9 ; // frame: x\n", "the length of an array", 2},
+    {"//! declarations\nuniform vec3 uX[kCount]; // frame: x\n", "the length of an array", 2},
+    {"//! declarations\nuniform vec3 uX[99999999999]; // frame: x\n", "the length of an array", 2},
 };
+
+TEST(Snippets, ArraysHaveAnyLength) {
+    for (const auto& [text, count] : {std::pair("uSky", 1),
+                                      {"uSky[1]", 1},
+                                      {"uSky[9]", 9},
+                                      {"uSky[10]", 10},
+                                      {"uSky[90]", 90},
+                                      {"uSky [128]", 128}}) {
+        const std::string file =
+            "//! declarations\nuniform vec3 " + std::string(text) + "; // lights: a sky\n";
+        const auto snippet = parseSnippet({"fragment/array", file});
+        ASSERT_TRUE(snippet) << toString(snippet.error());
+        ASSERT_EQ(snippet->interface.size(), 1u);
+        EXPECT_EQ(snippet->interface[0].count, count) << text;
+    }
+}
 
 TEST(Snippets, RefusesBadOnesWithFileAndLine) {
     for (const BadSnippet& row : kBad) {

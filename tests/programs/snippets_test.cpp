@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Programs from snippets that are read while the program runs.
+#include "franken/snippet_folder.h"
 #include "support/draw_scene.h"
 #include "support/shapes.h"
 #include "support/shell.h"
@@ -14,7 +15,7 @@ Result<SnippetSet> snippetsWith(const std::string& line) {
     const fs::path folder = emptyTestFolder();
     fs::copy(fs::path(FRANKEN_SOURCE_DIR) / "generator/glsl", folder, fs::copy_options::recursive);
     std::ofstream(folder / "fragment/ambient/none.glsl", std::ios::app) << line << "\n";
-    return SnippetSet::read(folder);
+    return readSnippets(folder);
 }
 
 class SnippetsTest : public PictureTest {};

@@ -11,19 +11,29 @@ using namespace franken::test;
 
 namespace {
 
-void update(const std::filesystem::path& root) {
+// Whether all goals are reached.
+bool update(const std::filesystem::path& root) {
     const std::filesystem::path folder = root / "tests/qpu";
     std::vector<CostRow> costs;
     for (const char* gpu : {"vc4", "v3d42", "v3d71"})
         for (CostRow& row : measureCosts(gpu))
             costs.push_back(std::move(row));
     writeTable(folder / "costs.tsv", toTable(costs));
-    writeTable(folder / "goals.tsv", toTable(measureGoals(goalsFrom(readTable(folder / "goals.tsv")))));
+    const std::vector<Goal> goals = measureGoals(goalsFrom(readTable(folder / "goals.tsv")));
+    writeTable(folder / "goals.tsv", toTable(goals));
     const std::string list = priceList();
     writeText(folder / "prices.md", list);
     const std::string readme = readText(root / "README.md");
     if (const std::string updated = withPriceList(readme, list); updated != readme)
         writeText(root / "README.md", updated);
+    bool reached = true;
+    for (const Goal& goal : goals)
+        if (!goal.reached()) {
+            std::cerr << goal.id << " is missed: " << goal.instructions << "/" << goal.threads
+                      << " instead of " << goal.goalInstructions << "/" << goal.goalThreads << '\n';
+            reached = false;
+        }
+    return reached;
 }
 
 } // namespace
@@ -34,8 +44,7 @@ int main() {
             std::cerr << compilers().whyNot << '\n';
             return 1;
         }
-        update(FRANKEN_SOURCE_DIR);
-        return 0;
+        return update(FRANKEN_SOURCE_DIR) ? 0 : 1;
     } catch (const std::exception& error) {
         std::cerr << error.what() << '\n';
         return 1;

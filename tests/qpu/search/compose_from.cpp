@@ -2,6 +2,7 @@
 // compose_from GLSL_DIR OUT_DIR NAME...: writes OUT_DIR/0.vert, 0.frag, 1.vert, ... from snippets that are
 // read from a folder instead of the ones that are built in, so that a search can try others.
 #include "franken/generator/compose.h"
+#include "franken/snippet_folder.h"
 
 #include <fstream>
 #include <iostream>
@@ -11,7 +12,7 @@ int main(int argc, char** argv) {
         std::cerr << "usage: compose_from GLSL_DIR OUT_DIR NAME...\n";
         return 2;
     }
-    const auto snippets = franken::SnippetSet::read(argv[1]);
+    const auto snippets = franken::readSnippets(argv[1]);
     if (!snippets) {
         std::cerr << toString(snippets.error()) << '\n';
         return 1;

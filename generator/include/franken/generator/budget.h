@@ -53,9 +53,11 @@ struct Use {
 
 struct Budget {
     std::array<Use, kResourceCount> uses; ///< By Resource.
+    /// The texture roles (texture_role.h) that have a unit which the GPU lacks, however few the program has.
+    std::vector<std::string_view> rolesBeyond;
 
     const Use& operator[](Resource resource) const { return uses[static_cast<std::size_t>(resource)]; }
-    bool fits() const; ///< Nothing bursts.
+    bool fits() const; ///< Nothing bursts, and each role has its unit.
 };
 
 /// What a program takes of a GPU. Varyings and uniforms are packed by the method of the OpenGL ES Shading

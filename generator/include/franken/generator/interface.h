@@ -61,15 +61,14 @@ struct Interface {
     std::vector<Varying> varyings;
     std::vector<Uniform> uniforms;
     std::vector<Sampler> samplers;
+    int lights = 0; ///< Suns and punctual lights that the fragment shader adds up.
 };
 
 /// aPosition 0, aNormal 1, aTangent 2, aUv0 3, aUv1 4, aColor 5; 6 and 7 are kept for joints and weights.
 /// -1 for a name that is no attribute.
 int attributeLocation(std::string_view name);
 
-/// The texture unit of a sampler's role: base colour 0, normal 1, metallic-roughness (or metallic) 2,
-/// roughness 3, occlusion 4, emissive 5, the sky (behind all, or as rough mirrors show it) 6, how much of it
-/// is mirrored 7. -1 for a name that is no sampler.
+/// The texture unit of a sampler, as the roles have it (texture_role.h). -1 for a name that is no sampler.
 int samplerUnit(std::string_view name);
 
 } // namespace franken

@@ -3,6 +3,7 @@
 
 #include "franken/api.h"
 #include "franken/generator/interface.h"
+#include "franken/generator/light.h"
 #include "franken/generator/permutation.h"
 
 #include <array>
@@ -13,13 +14,6 @@ namespace FRANKEN_API franken {
 // What uniforms alone decide is computed here, once, instead of in every fragment. The runtime, a foreign
 // engine and a web page call the same functions and so feed a program the same numbers. All blocks are
 // plain floats; fieldOffset() says where a uniform's value lies in its block.
-
-using Float2 = std::array<float, 2>;
-using Float3 = std::array<float, 3>;
-using Double3 = std::array<double, 3>;
-using Float4 = std::array<float, 4>;
-using Float9 = std::array<float, 9>;   ///< A mat3, column by column.
-using Float16 = std::array<float, 16>; ///< A mat4, column by column.
 
 /// Roughness is kept above this, or the lobe would be 0/0 at 0: alpha^2 = 1e-12. A sun's mirror image on a
 /// smoother surface has no size, and is not seen, as in glTF's own formulas.
@@ -66,29 +60,6 @@ struct MaterialBlock {
 
 /// Folds a material for programs with that BRDF. Exposure multiplies what the surface emits.
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure);
-
-/// A directional light (KHR_lights_punctual). pi lux make a white surface that faces it 1.0.
-struct Sun {
-    Float3 direction{0, -1, 0}; ///< Where its light travels, world space; any length but 0
-    Float3 color{1, 1, 1};      ///< Linear
-    float illuminance = 0;      ///< lux, 0 and up
-};
-
-/// A light with a position (KHR_lights_punctual, point and spot).
-struct PunctualLight {
-    Double3 position{0, 0, 0};  ///< World space, m
-    Float3 direction{0, 0, -1}; ///< Where a spot shines, world space; any length but 0
-    Float3 color{1, 1, 1};      ///< Linear
-    float intensity = 0;        ///< candela, 0 and up
-    float range = 0;            ///< m; 0 is infinite
-    bool spot = false;
-    float innerCone = 0;           ///< radians, 0 to outerCone
-    float outerCone = 0.78539816f; ///< radians, up to pi/2
-};
-
-/// What a sky sends to a surface, as the first nine coefficients of its radiance in real spherical
-/// harmonics, each RGB, in the order (l, m) = (0,0) (1,-1) (1,0) (1,1) (2,-2) (2,-1) (2,0) (2,1) (2,2).
-using SkyCoefficients = std::array<Float3, 9>;
 
 struct LightsBlock {
     Float3 ambient;

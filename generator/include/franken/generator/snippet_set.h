@@ -4,8 +4,11 @@
 #include "franken/api.h"
 #include "franken/result.h"
 
-#include <filesystem>
+#include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace FRANKEN_API franken {
 
@@ -19,17 +22,25 @@ public:
     /// The files of generator/glsl, as they were at build time. What is composed unless told otherwise.
     static const SnippetSet& builtIn();
 
-    /// Reads vertex/NAME.glsl and fragment/NAME.glsl of a folder that is laid out as generator/glsl is: all
-    /// snippets that the recipe names, and no others. Text may differ from the built-in one in everything but
-    /// what the rest of this build relies on: attributes, uniforms and samplers can be left out, but new ones
-    /// need a place in pack.h or interface.h, and so a build.
+    /// The text of a snippet, as its file in generator/glsl has it; `name` is one of names().
+    using Source = std::function<Result<std::string>(std::string_view name)>;
+
+    /// What the recipe names: "fragment/dark" for fragment/dark.glsl of generator/glsl.
+    static std::vector<std::string> names();
+
+    /// Makes a set of other texts (lib/programs reads them from a folder: snippet_folder.h). A text may
+    /// differ from the built-in one in everything but what the rest of this build relies on: attributes,
+    /// uniforms and samplers can be left out, but new ones need a place in pack.h or texture_role.h, and so a
+    /// build.
     ///
-    /// Whether the GLSL compiles is for a driver to say. Fails, with file and line in `where`, with
+    /// Whether the GLSL compiles is for a driver to say. Fails as `source` does, and, with file and line in
+    /// `where`, with
     ///
-    ///     snippet.file        cannot be read, or is larger than 64 KiB
     ///     snippet.syntax      breaks the contract of a snippet (generator/README.md)
     ///     snippet.interface   declares what no built-in snippet declares, or as another type
-    static Result<SnippetSet> read(const std::filesystem::path& folder);
+    ///
+    /// `folder`: what errors, and the lines of programs, call the place that the texts came from.
+    static Result<SnippetSet> make(const Source& source, std::string folder);
 
     /// All parts of programs; the generator's own business (src/library.h).
     struct Parts;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Programs from snippets that are read from a folder.
 #include "franken/generator/compose.h"
+#include "franken/snippet_folder.h"
 #include "support/shell.h"
 
 #include <thread>
@@ -21,7 +22,7 @@ protected:
         std::ofstream(m_folder / name) << text;
     }
     Error failure() const {
-        const Result<SnippetSet> set = SnippetSet::read(m_folder);
+        const Result<SnippetSet> set = readSnippets(m_folder);
         return set ? Error{"none", "", "", ""} : set.error();
     }
 
@@ -31,7 +32,7 @@ protected:
 };
 
 TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {
-    const Result<SnippetSet> set = SnippetSet::read(m_folder);
+    const Result<SnippetSet> set = readSnippets(m_folder);
     ASSERT_TRUE(set) << toString(set.error());
     for (const char* name :
          {"sun1", "basecolor.normal.metalrough.emissive+sh+sun2+punctual1+spots+aces+dither", "sky",
@@ -45,7 +46,7 @@ TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {
 
 TEST_F(SnippetSetTest, AChangedFileChangesTheProgramsThatHaveIt) {
     write("fragment/ambient/none.glsl", read("fragment/ambient/none.glsl") + "  irradiance += vec3(0.25);\n");
-    const Result<SnippetSet> set = SnippetSet::read(m_folder);
+    const Result<SnippetSet> set = readSnippets(m_folder);
     ASSERT_TRUE(set) << toString(set.error());
     const Composed lit = compose(permutation("sun1"), *set);
     EXPECT_NE(lit.fragment.text.find("  irradiance += vec3(0.25);\n"), std::string::npos);
@@ -57,7 +58,7 @@ TEST_F(SnippetSetTest, AChangedFileChangesTheProgramsThatHaveIt) {
 TEST_F(SnippetSetTest, LinesNameTheirSnippetWhenTheSetIsGone) {
     ComposedStage stage;
     {
-        const Result<SnippetSet> set = SnippetSet::read(m_folder);
+        const Result<SnippetSet> set = readSnippets(m_folder);
         ASSERT_TRUE(set);
         stage = compose(permutation("sun1"), *set).fragment;
     }
@@ -67,7 +68,7 @@ TEST_F(SnippetSetTest, LinesNameTheirSnippetWhenTheSetIsGone) {
 }
 
 TEST_F(SnippetSetTest, ComposesOnManyThreadsAtOnce) {
-    const Result<SnippetSet> set = SnippetSet::read(m_folder);
+    const Result<SnippetSet> set = readSnippets(m_folder);
     ASSERT_TRUE(set);
     const std::string expected = compose(permutation("basecolor+sun2"), *set).fragment.text;
     std::vector<std::string> texts(8);
@@ -119,8 +120,13 @@ TEST_F(SnippetSetTest, AFileThatIsMissingOrHugeOrEmptyIsRefused) {
     EXPECT_EQ(failure().code, "snippet.file");
     fs::remove(m_folder / "fragment/ambient/none.glsl");
     EXPECT_EQ(failure().code, "snippet.file");
+    fs::remove(m_folder / "fragment/ambient/none.glsl");
+    ASSERT_EQ(mkfifo((m_folder / "fragment/ambient/none.glsl").c_str(), 0600), 0);
+    EXPECT_EQ(failure().code, "snippet.file") << "a pipe is not waited for";
+    fs::remove(m_folder / "fragment/ambient/none.glsl");
+    EXPECT_EQ(failure().code, "snippet.file");
     EXPECT_EQ(failure().where, (m_folder / "fragment/ambient/none.glsl").string());
-    EXPECT_EQ(SnippetSet::read("no/such/folder").error().code, "snippet.file");
+    EXPECT_EQ(readSnippets("no/such/folder").error().code, "snippet.file");
 }
 
 } // namespace

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+#include "franken/generator/snippet_set.h"
+
+#include <filesystem>
+
+namespace FRANKEN_API franken {
+
+/// Reads NAME.glsl for each name of SnippetSet::names() from a folder that is laid out as generator/glsl is.
+/// Fails as SnippetSet::make() does, and with "snippet.file" where a file cannot be read, is empty, or is
+/// larger than 64 KiB; `where` is its path.
+Result<SnippetSet> readSnippets(const std::filesystem::path& folder);
+
+} // namespace franken

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "franken/snippet_folder.h"
+
+#include "franken/file.h"
+#include "franken/printable.h"
+
+namespace franken {
+namespace {
+
+constexpr std::size_t kMaxFileBytes = std::size_t{64} * 1024;
+
+Result<std::string> readText(const std::filesystem::path& path) {
+    const Result<std::vector<std::uint8_t>> bytes = readFile(path, kMaxFileBytes);
+    if (!bytes || bytes->empty())
+        return Error{"snippet.file", path.string(), bytes ? "the file is empty" : bytes.error().what,
+                     "give a folder that is laid out as generator/glsl is"};
+    const std::string text(bytes->begin(), bytes->end());
+    return std::string(withoutByteOrderMark(text));
+}
+
+} // namespace
+
+Result<SnippetSet> readSnippets(const std::filesystem::path& folder) {
+    std::string name = folder.string();
+    while (name.size() > 1 && name.ends_with('/'))
+        name.pop_back();
+    return SnippetSet::make(
+        [&](std::string_view snippet) { return readText(folder / (std::string(snippet) + ".glsl")); },
+        std::move(name));
+}
+
+} // namespace franken
