@@ -2,6 +2,7 @@
 #include "options.h"
 
 #include "franken/file_writer.h"
+#include "franken/generator/choices.h"
 
 #include <CLI/CLI.hpp>
 
@@ -70,6 +71,15 @@ platform::Size toSize(const std::string& text) {
     return {width, height};
 }
 
+// A permutation's word as an option takes it whose name says the rest: "--decode srgb" for "decode-srgb".
+std::string withoutAffix(std::string_view word, std::string_view affix) {
+    if (word.starts_with(affix))
+        word.remove_prefix(affix.size());
+    else if (word.ends_with(affix))
+        word.remove_suffix(affix.size());
+    return std::string(word);
+}
+
 template<typename Value>
 void addChoice(CLI::App& app, const char* name, Value& value, const char* text,
                const std::vector<std::pair<std::string, Value>>& words) {
@@ -87,6 +97,18 @@ void addChoice(CLI::App& app, const char* name, Value& value, const char* text,
            text + (": " + CLI::detail::join(names, ", ")) + " [" + names.front() + "]")
         ->type_name("WORD")
         ->check(CLI::IsMember(names).description(""));
+}
+
+// An option that takes the words of a choice of the permutation, new ones without further ado.
+template<typename Value>
+void addChoice(CLI::App& app, const char* name, Value& value, const char* text, std::string_view choice,
+               std::string_view affix = "") {
+    std::vector<std::pair<std::string, Value>> words;
+    for (const Choice& each : choices())
+        if (each.name == choice)
+            for (const auto& option : each.options)
+                words.emplace_back(withoutAffix(option.word, affix), static_cast<Value>(words.size()));
+    addChoice(app, name, value, text, words);
 }
 
 void addTarget(CLI::App& app, Options& options) {
@@ -197,31 +219,14 @@ void addHeights(CLI::App& app, Options& options) {
 }
 
 void addLook(CLI::App& app, Look& look) {
-    addChoice<ToneMap>(app, "--tone-map", look.toneMap, "The tone map",
-                       {{"none", ToneMap::None},
-                        {"reinhard", ToneMap::Reinhard},
-                        {"aces", ToneMap::Aces},
-                        {"neutral", ToneMap::Neutral}});
-    addChoice<Brdf>(
-        app, "--brdf", look.brdf, "The reflectance model",
-        {{"gltf", Brdf::Gltf}, {"seed", Brdf::Seed}, {"fast", Brdf::Fast}, {"schlick", Brdf::Schlick}});
-    addChoice<Output>(app, "--output", look.output, "How colours are encoded",
-                      {{"srgb", Output::Srgb},
-                       {"srgb-fast", Output::SrgbFast},
-                       {"pow22", Output::Pow22},
-                       {"linear", Output::Linear}});
-    addChoice<Decode>(app, "--decode", look.decode, "How colour textures are decoded",
-                      {{"exact", Decode::Exact}, {"fast", Decode::Fast}, {"none", Decode::None}});
-    addChoice<View>(app, "--view", look.view, "What is shown of the materials",
-                    {{"shaded", View::Shaded},
-                     {"basecolor", View::BaseColor},
-                     {"normal", View::Normal},
-                     {"metalrough", View::RoughnessMetallic},
-                     {"occlusion", View::Occlusion}});
-    addChoice<LightVectors>(app, "--light-vectors", look.lightVectors, "Where light vectors are computed",
-                            {{"pixel", LightVectors::PerPixel}, {"vertex", LightVectors::PerVertex}});
-    addChoice<Dither>(app, "--dither", look.dither, "Dithering",
-                      {{"none", Dither::None}, {"ordered", Dither::Ordered}});
+    addChoice(app, "--tone-map", look.toneMap, "The tone map", "toneMap");
+    addChoice(app, "--brdf", look.brdf, "The reflectance model", "brdf");
+    addChoice(app, "--output", look.output, "How colours are encoded", "output");
+    addChoice(app, "--decode", look.decode, "How colour textures are decoded", "decode", "decode-");
+    addChoice(app, "--view", look.view, "What is shown of the materials", "view", "view-");
+    addChoice(app, "--light-vectors", look.lightVectors, "Where light vectors are computed", "lightVectors",
+              "light");
+    addChoice(app, "--dither", look.dither, "Dithering", "dither");
 }
 
 } // namespace

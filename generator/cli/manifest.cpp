@@ -49,9 +49,10 @@ Result<std::unique_ptr<Manifest>> readManifest(const std::string& file) {
         close(descriptor);
     if (!read)
         return read.error();
-    manifest->lines = manifestLines(manifest->text);
-    if (manifest->lines.empty())
-        return Error{"manifest.empty", manifest->file, "it lists no program", kNameAList};
+    Result<ManifestLines> parsed = parseManifestLines(manifest->text, manifest->file);
+    if (!parsed)
+        return parsed.error();
+    manifest->lines = std::move(parsed->lines);
     return manifest;
 }
 

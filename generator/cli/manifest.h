@@ -10,7 +10,7 @@
 
 namespace franken::cli {
 
-/// A list of names, as manifestLines() takes it.
+/// A list of names, as parseManifestLines() takes it.
 struct Manifest {
     std::string file; ///< As errors call it: "warm.txt", "<stdin>".
     std::string text;
@@ -21,8 +21,8 @@ struct Manifest {
 inline constexpr std::size_t kMaxListBytes = std::size_t{4} << 20U;
 
 /// Reads a list of names from a file, a pipe, or standard input ("-"). The names are not looked at. Fails
-/// with "manifest.read" where it cannot be read, with "manifest.size" beyond kMaxListBytes, and with
-/// "manifest.empty" where it lists nothing.
+/// with "manifest.read" where it cannot be read, with "manifest.size" beyond kMaxListBytes, and as
+/// parseManifestLines() does.
 Result<std::unique_ptr<Manifest>> readManifest(const std::string& file);
 
 } // namespace franken::cli

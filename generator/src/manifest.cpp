@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/manifest.h"
 
+#include "franken/generator/permutation.h"
+#include "franken/printable.h"
+
 #include "franken/printable.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstdio>
 
 namespace franken {
 namespace {
 
+constexpr std::string_view kHeading = "# FrankenShader manifest, schema ";
 constexpr std::string_view kSpace = " \t\r";
 
 std::string_view trim(std::string_view text) {
@@ -23,6 +29,39 @@ bool areStates(std::string_view words) {
         words = trim(words.substr(word.size()));
     }
     return true;
+}
+
+/// CRC-32 as in ISO 3309 (zlib's, PNG's): reflected, polynomial 0x04C11DB7.
+std::uint32_t crc32(std::string_view text) {
+    std::uint32_t crc = ~0u;
+    for (const char c : text) {
+        crc ^= static_cast<std::uint8_t>(c);
+        for (int bit = 0; bit < 8; ++bit)
+            crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
+    }
+    return ~crc;
+}
+
+std::string heading() { return std::string(kHeading) + std::to_string(kSchemaVersion) + "\n"; }
+
+std::string endLine(std::size_t count, std::uint32_t crc) {
+    char line[64];
+    std::snprintf(line, sizeof(line), "# end %zu %08x\n", count, static_cast<unsigned>(crc));
+    return line;
+}
+
+/// That a text which we wrote is whole and of this version.
+Result<void> checkWhole(std::string_view text, std::size_t count, const std::string& file) {
+    if (text.find('\n') == std::string_view::npos)
+        return Error{"manifest.damaged", file, "it was cut", "delete it: it is written anew"};
+    if (!text.starts_with(heading()))
+        return Error{"manifest.schema", file, "another version of the library wrote it",
+                     "delete it: it is written anew"};
+    const std::size_t end = text.rfind("# end ");
+    if (end == std::string_view::npos || text.substr(end) != endLine(count, crc32(text.substr(0, end))))
+        return Error{"manifest.damaged", file, "it was cut, or changed after it was written",
+                     "delete it: it is written anew"};
+    return {};
 }
 
 } // namespace
@@ -44,6 +83,40 @@ std::vector<ManifestLine> manifestLines(std::string_view text) {
             lines.push_back({line, {}, number});
     }
     return lines;
+}
+
+std::string wholeManifest(const std::string& lines, std::size_t count) {
+    const std::string text = heading() + lines;
+    return text + endLine(count, crc32(text));
+}
+
+bool isByUs(std::string_view text) {
+    if (text.starts_with(kHeading))
+        return true;
+    // "# end 12 5d0b1a3c", and nothing else on the last line: a comment by hand may begin so as well.
+    const std::size_t line = text.find_last_of('\n', text.size() - std::min<std::size_t>(text.size(), 2)) + 1;
+    const std::string last(text.substr(line));
+    std::size_t count = 0;
+    unsigned crc = 0;
+    return std::sscanf(last.c_str(), "# end %zu %x", &count, &crc) == 2 &&
+           last.size() == endLine(count, crc).size();
+}
+
+bool isTorn(std::string_view text) {
+    return heading().starts_with(text) ||
+           text.find_first_not_of(std::string_view("\0 \t\r\n", 5)) == text.npos;
+}
+
+Result<ManifestLines> parseManifestLines(std::string_view text, const std::string& name) {
+    text = withoutByteOrderMark(text);
+    ManifestLines result{manifestLines(text), isByUs(text)};
+    if (result.byUs) {
+        if (Result<void> whole = checkWhole(text, result.lines.size(), name); !whole)
+            return whole.error();
+    } else if (result.lines.empty()) {
+        return Error{"manifest.empty", name, "it lists no program", "list names, one a line"};
+    }
+    return result;
 }
 
 } // namespace franken

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What frankenshader writes: texts, files, lists, JSON.
 #include "cli_runner.h"
-
 #include "franken/generator/compose.h"
+#include "franken/generator/manifest.h"
 
 #include <nlohmann/json.hpp>
 
@@ -59,6 +59,25 @@ TEST_F(CliOutput, DumpsAManifest) {
     const std::string test = read("shaders/made/here/basecolor.normal+sun1.shader_test");
     EXPECT_NE(test.find("[fragment shader]\n" + fragment), std::string::npos);
     EXPECT_EQ(shell("printf 'sun1\\n' | " + std::string(kProgram) + " list --manifest -").out, "sun1\n");
+}
+
+TEST_F(CliOutput, AManifestThatWasCutOrIsAnotherVersionsIsRefused) {
+    const std::string whole = franken::wholeManifest("sun1\nsun2\n", 2);
+    writeManifest(whole);
+    EXPECT_EQ(run("list --manifest warm.txt").out, "sun1\nsun2\n");
+    std::string cut = whole, changed = whole, old = whole;
+    cut.erase(cut.find("sun2"));
+    changed.replace(changed.find("sun2"), 4, "sun3");
+    old.replace(old.find("schema "), 8, "schema 1");
+    for (const auto& [text, says] : {std::pair(cut, "it was cut"),
+                                     {changed, "changed after it was written"},
+                                     {old, "another version"}}) {
+        writeManifest(text);
+        const Outcome outcome = run("list --manifest warm.txt");
+        EXPECT_EQ(outcome.code, 3) << text;
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err;
+    }
 }
 
 TEST_F(CliOutput, ABadLineOfAManifestIsLocatedAndNothingIsWritten) {

@@ -8,6 +8,8 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <set>
+
 namespace franken::test {
 namespace {
 
@@ -109,7 +111,9 @@ TEST_F(ManifestTest, SaysWhatIsWrong) {
           {"nromal\n", "manifest.line"},
           {"basecolor normal\n", "manifest.line"},
           {"spots\n", "manifest.line"},
-          {"surface wrap8=rr\n", "manifest.line"},
+          {"surface wrap16=rr\n", "manifest.line"},
+          {"surface wrap=rr\n", "manifest.line"},
+          {"surface wrap1rr\n", "manifest.line"},
           {"surface wrap0=rx\n", "manifest.line"},
           {"surface wrap0=r\n", "manifest.line"},
           {"surface blend=yes\n", "manifest.line"}}) {
@@ -119,6 +123,19 @@ TEST_F(ManifestTest, SaysWhatIsWrong) {
         EXPECT_EQ(read.error().where.substr(0, 8), "warm.txt");
     }
     EXPECT_EQ(parseManifest(std::string(kMaxManifestBytes + 1, '\n'), "").error().code, "manifest.size");
+}
+
+TEST_F(ManifestTest, KeepsTheWrapsOfEveryUnit) {
+    std::vector<ProgramUse> uses(kTextureUnits, use("basecolor"));
+    for (std::size_t unit = 0; unit < uses.size(); ++unit)
+        uses[unit].state.wraps[unit] = {Wrap::MirroredRepeat, Wrap::ClampToEdge};
+    const Result<std::vector<ProgramUse>> read = parseManifest(toManifest(uses), "text");
+    ASSERT_TRUE(read) << toString(read.error());
+    EXPECT_EQ(*read, uses);
+    std::set<std::uint64_t> bits;
+    for (const ProgramUse& each : uses)
+        bits.insert(toBits(each.state, 0xFFFF));
+    EXPECT_EQ(bits.size(), kTextureUnits) << "each state has a number of its own";
 }
 
 TEST_F(ManifestTest, ReadsAListByHand) {

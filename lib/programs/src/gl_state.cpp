@@ -68,7 +68,7 @@ void GlState::useProgram(GLuint program) {
 }
 
 void GlState::bindTexture(unsigned unit, GLenum target, GLuint texture) {
-    assert(unit < kUnits);
+    assert(unit < kTextureUnits);
     if (!changes(m_textures[unit][target == GL_TEXTURE_CUBE_MAP ? 1 : 0], texture))
         return;
     if (changes(m_unit, unit))

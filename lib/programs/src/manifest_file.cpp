@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/manifest.h"
 
+#include "franken/generator/manifest.h"
+
 #include "franken/file.h"
 #include "franken/file_writer.h"
 #include "manifest_text.h"

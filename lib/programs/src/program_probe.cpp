@@ -136,8 +136,7 @@ void ProgramProbe::drawOne(const Draw& draw, GLint x) {
 }
 
 void ProgramProbe::bindTextures(const Draw& draw) {
-    std::array<GLuint, DrawState::kUnits>
-        names{}; // Uploading binds: all are there before the first is bound.
+    std::array<GLuint, kTextureUnits> names{}; // Uploading binds: all are there before the first is bound.
     const std::vector<Sampler>& samplers = draw.program->interface().samplers;
     for (const Sampler& sampler : samplers) {
         const auto unit = static_cast<std::size_t>(sampler.unit);

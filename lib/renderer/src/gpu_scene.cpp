@@ -9,12 +9,11 @@
 namespace franken {
 namespace {
 
-std::size_t unitOf(const char* sampler) { return static_cast<std::size_t>(samplerUnit(sampler)); }
-
-TextureContents textureContents(std::size_t unit) {
-    if (unit == unitOf("uBaseColorTexture") || unit == unitOf("uEmissiveTexture"))
-        return TextureContents::Color;
-    return unit == unitOf("uNormalTexture") ? TextureContents::Normals : TextureContents::Numbers;
+// Roles that share a unit have the same contents and the same default.
+const TextureRoleRow& roleAt(std::size_t unit) {
+    const std::span<const TextureRoleRow> roles = textureRoles();
+    return *std::find_if(roles.begin(), roles.end(),
+                         [&](const TextureRoleRow& role) { return role.unit == unit; });
 }
 
 class Uploader {
@@ -86,12 +85,12 @@ private:
 
     Result<GLuint> textureFor(int index, std::size_t unit) {
         if (index == kNone)
-            return (unit == unitOf("uNormalTexture") ? m_defaults.flatNormal : m_defaults.white).name();
+            return m_defaults.at(unit);
         GpuTexture& texture = m_gpu.textures[static_cast<std::size_t>(index)];
         if (!texture.texture) {
             const Texture& source = m_scene.textures[static_cast<std::size_t>(index)];
             const Image& image = m_scene.images[static_cast<std::size_t>(source.image)];
-            Result<GpuTexture> made = uploadTexture(m_device, image, source, textureContents(unit));
+            Result<GpuTexture> made = uploadTexture(m_device, image, source, roleAt(unit).contents);
             if (!made)
                 return made.error();
             texture = *std::move(made);
@@ -107,8 +106,10 @@ private:
 
 } // namespace
 
-DefaultTextures::DefaultTextures(const Gl& gl)
-    : white(uploadTexel(gl, {255, 255, 255, 255})), flatNormal(uploadTexel(gl, {128, 128, 255, 255})) {}
+DefaultTextures::DefaultTextures(const Gl& gl) {
+    for (std::size_t unit = 0; unit < kMaterialUnits; ++unit)
+        m_textures.push_back(uploadTexel(gl, roleAt(unit).defaultTexel));
+}
 
 Result<GpuScene> upload(Device& device, const Scene& scene, const DefaultTextures& defaults) {
     if (Result<void> checked = check(scene); !checked)

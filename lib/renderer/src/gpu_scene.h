@@ -43,9 +43,15 @@ struct GpuScene {
 };
 
 /// What is bound where a material has no texture: one texel that changes nothing.
-struct DefaultTextures {
+class DefaultTextures {
+public:
     explicit DefaultTextures(const Gl& gl);
-    GlTexture white, flatNormal;
+
+    /// For a material's texture unit.
+    GLuint at(std::size_t unit) const { return m_textures[unit].name(); }
+
+private:
+    std::vector<GlTexture> m_textures;
 };
 
 /// Fails as check(scene), with "memory.budget" and with "gl.object".

@@ -25,15 +25,15 @@ public:
         : m_material(material), m_contents(contents), m_log(log) {}
 
     /// The stream that feeds the texture; none where it must be left out.
-    std::optional<UvStream> find(const TextureRef& ref, const char* role);
+    std::optional<UvStream> find(const TextureRef& ref, std::string_view role);
 
     std::size_t count() const { return m_used.size(); }
     const TextureRef& operator[](std::size_t stream) const { return *m_used[stream]; }
 
-    void warn(const char* role, const std::string& reason) const {
+    void warn(std::string_view role, const std::string& reason) const {
         if (m_log)
-            m_log(LogLevel::Warning,
-                  "material \"" + m_material.name + "\": the " + role + " texture is left out: " + reason);
+            m_log(LogLevel::Warning, "material \"" + m_material.name + "\": the " + std::string(role) +
+                                         " texture is left out: " + reason);
     }
 
 private:
@@ -43,7 +43,7 @@ private:
     std::vector<const TextureRef*> m_used;
 };
 
-std::optional<UvStream> Streams::find(const TextureRef& ref, const char* role) {
+std::optional<UvStream> Streams::find(const TextureRef& ref, std::string_view role) {
     if (!m_contents.uv[static_cast<std::size_t>(ref.uvSet)]) {
         warn(role, "the mesh has no TEXCOORD_" + std::to_string(ref.uvSet));
         return std::nullopt;
@@ -67,6 +67,18 @@ bool sameSampling(const Scene& scene, const TextureRef& a, const TextureRef& b) 
            left.minFilter == right.minFilter;
 }
 
+MaterialFactors factorsOf(const Material& material) {
+    const glm::vec4& base = material.baseColor;
+    const glm::vec3& emissive = material.emissive;
+    return {.baseColor = {base.r, base.g, base.b, base.a},
+            .metallic = material.metallic,
+            .roughness = material.roughness,
+            .normalScale = material.normalScale,
+            .occlusionStrength = material.occlusionStrength,
+            .emissive = {emissive.r, emissive.g, emissive.b},
+            .alphaCutoff = material.alphaCutoff};
+}
+
 class Planner {
 public:
     Planner(const Scene& scene, const Material& material, const VertexContents& contents, const Log& log)
@@ -75,15 +87,12 @@ public:
     }
 
     MaterialPlan make() {
+        m_plan.factors = factorsOf(m_material);
         planBase();
         planNormal();
         planReflection();
         planEmissive();
         planStreams();
-        m_plan.factors.baseColor = {m_material.baseColor.r, m_material.baseColor.g, m_material.baseColor.b,
-                                    m_material.baseColor.a};
-        m_plan.factors.metallic = m_material.metallic;
-        m_plan.factors.roughness = m_material.roughness;
         m_plan.fine = m_contents.fine;
         return m_plan;
     }
@@ -91,60 +100,57 @@ public:
 private:
     Permutation& choices() { return m_plan.permutation; }
 
-    bool take(const TextureRef& ref, const char* role, const char* sampler, UvStream& stream) {
+    // Gives the texture to its role; false where there is none, or where its coordinates have no stream.
+    bool take(const TextureRef& ref, TextureRole role) {
+        const TextureRoleRow& row = rowOf(role);
         if (!ref)
             return false;
-        const std::optional<UvStream> found = m_streams.find(ref, role);
+        const std::optional<UvStream> found = m_streams.find(ref, row.name);
         if (!found)
             return false;
-        stream = *found;
-        m_plan.textures[static_cast<std::size_t>(samplerUnit(sampler))] = ref.texture;
+        choices().*row.stream = *found;
+        m_plan.textures[row.unit] = ref.texture;
         return true;
     }
 
     void planBase() {
-        choices().baseColorTexture =
-            take(m_material.baseColorTexture, "base colour", "uBaseColorTexture", choices().baseColorUv);
+        choices().baseColorTexture = take(m_material.baseColorTexture, TextureRole::BaseColor);
         choices().vertexColor = m_contents.colors;
         choices().sides = m_material.doubleSided ? Sides::Double : Sides::Single;
         choices().shading = m_material.unlit ? Shading::Unlit : Shading::Lit;
         choices().alpha = m_material.alphaMode == AlphaMode::Mask    ? Alpha::Mask
                           : m_material.alphaMode == AlphaMode::Blend ? Alpha::Blend
                                                                      : Alpha::Opaque;
-        m_plan.factors.alphaCutoff = m_material.alphaCutoff;
     }
 
     void planNormal() {
         if (m_material.normalTexture && !m_contents.tangents)
-            return m_streams.warn("normal", "the mesh has no tangents");
-        if (take(m_material.normalTexture, "normal", "uNormalTexture", choices().normalUv))
+            return m_streams.warn(rowOf(TextureRole::Normal).name, "the mesh has no tangents");
+        if (take(m_material.normalTexture, TextureRole::Normal))
             choices().normal = Normal::Map;
-        m_plan.factors.normalScale = m_material.normalScale;
     }
 
     void planReflection() {
         const TextureRef& packed = m_material.metallicRoughnessTexture;
         const TextureRef& occlusion = m_material.occlusionTexture;
-        if (take(packed, "metallic-roughness", "uMetallicRoughnessTexture", choices().metallicRoughnessUv))
+        if (take(packed, TextureRole::MetallicRoughness))
             choices().metallicRoughness = MetallicRoughness::Packed;
         if (choices().metallicRoughness == MetallicRoughness::Packed && occlusion &&
             sameSampling(m_scene, packed, occlusion))
             choices().occlusion = Occlusion::Packed;
-        else if (take(occlusion, "occlusion", "uOcclusionTexture", choices().occlusionUv))
+        else if (take(occlusion, TextureRole::Occlusion))
             choices().occlusion = Occlusion::Texture;
-        m_plan.factors.occlusionStrength = m_material.occlusionStrength;
     }
 
     void planEmissive() {
         if (m_material.emissive == glm::vec3(0))
             return;
-        if (take(m_material.emissiveTexture, "emissive", "uEmissiveTexture", choices().emissiveUv))
+        if (take(m_material.emissiveTexture, TextureRole::Emissive))
             choices().emissive = Emissive::Texture;
         else if (!m_material.emissiveTexture)
             choices().emissive = Emissive::Factor;
-        else
-            return; // The texture says where a surface glows: without it, none of it may.
-        m_plan.factors.emissive = {m_material.emissive.r, m_material.emissive.g, m_material.emissive.b};
+        else // The texture says where a surface glows: without it, none of it may.
+            m_plan.factors.emissive = {};
     }
 
     void planStreams() {

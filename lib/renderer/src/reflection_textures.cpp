@@ -3,7 +3,7 @@
 
 #include "checked_upload.h"
 #include "checks.h"
-#include "franken/generator/interface.h"
+#include "franken/generator/texture_role.h"
 #include "franken/guard.h"
 
 #include <algorithm>
@@ -18,14 +18,15 @@ Error tooLarge(const Image& atlas, int most) {
             "filter the sky to a smaller size"};
 }
 
-void bindTo(GlState& state, const char* sampler, const GpuTexture& texture) {
-    state.bindTexture(static_cast<unsigned>(samplerUnit(sampler)), GL_TEXTURE_2D, texture.texture.name());
+void bindTo(GlState& state, TextureRole role, const GpuTexture& texture) {
+    state.bindTexture(static_cast<unsigned>(rowOf(role).unit), GL_TEXTURE_2D, texture.texture.name());
 }
 
 } // namespace
 
 ReflectionTextures::Textures::Textures(const Gl& gl)
-    : atlas{uploadTexel(gl, {0, 0, 0, 0}), {}}, lookup{uploadTexel(gl, {0, 0, 0, 0}), {}} {}
+    : atlas{uploadTexel(gl, rowOf(TextureRole::Reflection).defaultTexel), {}},
+      lookup{uploadTexel(gl, rowOf(TextureRole::ReflectionLookup).defaultTexel), {}} {}
 
 Result<ReflectionTextures::Textures> ReflectionTextures::made(const ReflectionMaps& maps) {
     const Image& atlas = maps.atlas.image;
@@ -70,8 +71,8 @@ Result<void> ReflectionTextures::restore() {
 }
 
 void ReflectionTextures::bind(GlState& state) const {
-    bindTo(state, "uReflectionTexture", m_textures->atlas);
-    bindTo(state, "uReflectionLookup", m_textures->lookup);
+    bindTo(state, TextureRole::Reflection, m_textures->atlas);
+    bindTo(state, TextureRole::ReflectionLookup, m_textures->lookup);
 }
 
 } // namespace franken

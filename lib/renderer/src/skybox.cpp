@@ -3,7 +3,7 @@
 
 #include "checked_upload.h"
 #include "checks.h"
-#include "franken/generator/interface.h"
+#include "franken/generator/texture_role.h"
 #include "franken/guard.h"
 #include "gpu_buffer.h"
 
@@ -38,7 +38,7 @@ Result<void> Skybox::upload(const SkyCube& cube) {
 }
 
 void Skybox::draw(GlState& state) const {
-    state.bindTexture(static_cast<unsigned>(samplerUnit("uSkyTexture")), GL_TEXTURE_CUBE_MAP,
+    state.bindTexture(static_cast<unsigned>(rowOf(TextureRole::Skybox).unit), GL_TEXTURE_CUBE_MAP,
                       m_texture.texture.name());
     if (state.changesPointers(m_triangle.name(), 0)) {
         state.bindVertices(m_triangle.name());

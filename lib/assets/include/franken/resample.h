@@ -2,16 +2,10 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/generator/texture_role.h"
 #include "franken/scene.h"
 
 namespace FRANKEN_API franken {
-
-/// What the colour channels of a texture hold. Alpha is always a number.
-enum class TextureContents {
-    Color,   ///< sRGB codes.
-    Numbers, ///< 0 to 1.
-    Normals  ///< Unit vectors, -1 to 1 as 0 to 255.
-};
 
 /// The image at another size (1 and up), filtered with a tent as wide as the larger of both pixel sizes:
 /// colours in linear light, numbers as they are, normals made unit again. Beyond its edges the image goes on

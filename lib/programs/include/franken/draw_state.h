@@ -3,6 +3,7 @@
 
 #include "franken/api.h"
 #include "franken/generator/permutation.h"
+#include "franken/generator/texture_role.h"
 #include "franken/sampling.h"
 
 #include <array>
@@ -20,11 +21,14 @@ struct DrawState {
         Wrap s = Wrap::Repeat, t = Wrap::Repeat;
         friend bool operator==(const Wraps&, const Wraps&) = default;
     };
-    static constexpr std::size_t kUnits = 8;
     static constexpr Wraps kClamped = {Wrap::ClampToEdge, Wrap::ClampToEdge};
+    using AllWraps = std::array<Wraps, kTextureUnits>;
 
-    /// By sampler unit; what a program does not sample does not matter. Skies (6, 7) are clamped.
-    std::array<Wraps, kUnits> wraps = {Wraps{}, {}, {}, {}, {}, {}, kClamped, kClamped};
+    /// As the roles have it: textures repeat, skies are clamped.
+    static const AllWraps& usualWraps();
+
+    /// By sampler unit; what a program does not sample does not matter.
+    AllWraps wraps = usualWraps();
     bool blend = false; ///< Source over, without writing depth.
 
     friend bool operator==(const DrawState&, const DrawState&) = default;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/generator/texture_role.h"
 #include "franken/gl.h"
 
 #include <array>
@@ -73,7 +74,7 @@ public:
     void setPointer(GLuint location, const Pointer& pointer);
 
 private:
-    static constexpr std::size_t kUnits = 8, kArrays = 8;
+    static constexpr std::size_t kArrays = 8;
     static constexpr GLuint kUnknown = ~GLuint{0};
 
     template<typename Value>
@@ -93,13 +94,13 @@ private:
     GLenum m_frontFace = 0, m_culledFace = 0;
     GLuint m_program = kUnknown, m_vertices = kUnknown, m_indices = kUnknown;
     unsigned m_unit = kUnknown;
-    std::array<std::array<GLuint, 2>, kUnits> m_textures = unknownTextures(); ///< 2D, cube
+    std::array<std::array<GLuint, 2>, kTextureUnits> m_textures = unknownTextures(); ///< 2D, cube
     std::optional<unsigned> m_arrays;
     std::optional<Of<unsigned>> m_layout;
     std::array<std::optional<Of<Pointer>>, kArrays> m_pointers;
 
-    static constexpr std::array<std::array<GLuint, 2>, kUnits> unknownTextures() {
-        std::array<std::array<GLuint, 2>, kUnits> textures{};
+    static constexpr std::array<std::array<GLuint, 2>, kTextureUnits> unknownTextures() {
+        std::array<std::array<GLuint, 2>, kTextureUnits> textures{};
         for (std::array<GLuint, 2>& unit : textures)
             unit = {kUnknown, kUnknown};
         return textures;

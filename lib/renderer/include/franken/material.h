@@ -3,6 +3,7 @@
 
 #include "franken/api.h"
 #include "franken/generator/pack.h"
+#include "franken/generator/texture_role.h"
 #include "franken/light.h"
 #include "franken/log.h"
 #include "franken/result.h"
@@ -38,9 +39,6 @@ struct VertexContents {
 };
 
 VertexContents contentsOf(const Primitive& primitive);
-
-/// Samplers of materials: samplerUnit() is below it.
-inline constexpr std::size_t kMaterialUnits = 6;
 
 /// A material as programs see it, on vertices with certain contents.
 struct MaterialPlan {
