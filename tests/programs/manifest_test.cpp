@@ -4,11 +4,10 @@
 #include "support/shell.h"
 
 #include <csignal>
+#include <set>
 
 #include <sys/resource.h>
 #include <unistd.h>
-
-#include <set>
 
 namespace franken::test {
 namespace {
