@@ -91,7 +91,7 @@ TEST_F(SnippetSetTest, WhatBreaksTheContractIsRefusedWithFileAndLine) {
 
 TEST_F(SnippetSetTest, AByteOrderMarkBelongsToNoSnippet) {
     write("fragment/ambient/none.glsl", "\xEF\xBB\xBF" + read("fragment/ambient/none.glsl"));
-    const Result<SnippetSet> set = SnippetSet::read(m_folder.string() + "/");
+    const Result<SnippetSet> set = readSnippets(m_folder.string() + "/");
     ASSERT_TRUE(set) << toString(set.error());
     EXPECT_EQ(compose(permutation("sun1"), *set).fragment.text, compose(permutation("sun1")).fragment.text);
 }
@@ -119,6 +119,7 @@ TEST_F(SnippetSetTest, AFileThatIsMissingOrHugeOrEmptyIsRefused) {
     write("fragment/ambient/none.glsl", "");
     EXPECT_EQ(failure().code, "snippet.file");
     fs::remove(m_folder / "fragment/ambient/none.glsl");
+    fs::create_directory(m_folder / "fragment/ambient/none.glsl");
     EXPECT_EQ(failure().code, "snippet.file");
     fs::remove(m_folder / "fragment/ambient/none.glsl");
     ASSERT_EQ(mkfifo((m_folder / "fragment/ambient/none.glsl").c_str(), 0600), 0);
