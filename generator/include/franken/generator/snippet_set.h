@@ -25,7 +25,7 @@ public:
     /// The text of a snippet, as its file in generator/glsl has it; `name` is one of names().
     using Source = std::function<Result<std::string>(std::string_view name)>;
 
-    /// What the recipe names: "fragment/dark" for fragment/dark.glsl of generator/glsl.
+    /// What the recipe names: "fragment/ambient/none" for fragment/ambient/none.glsl of generator/glsl.
     static std::vector<std::string> names();
 
     /// Makes a set of other texts (lib/programs reads them from a folder: snippet_folder.h). A text may
