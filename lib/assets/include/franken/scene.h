@@ -125,8 +125,8 @@ struct Camera {
     enum class Projection { Perspective, Orthographic };
 
     std::string name;
-    std::string node;  ///< The name of the node that it hangs on.
-    int index = kNone; ///< In the file's array of cameras.
+    std::string node = {}; ///< The name of the node that it hangs on.
+    int index = kNone;     ///< In the file's array of cameras.
     Projection projection = Projection::Perspective;
     float yfov = 0.8f;        ///< Perspective: the full vertical angle, radians, > 0.
     float aspectRatio = 0.0f; ///< Perspective: width / height; 0: that of the viewport.
