@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <fstream>
 #include <map>
 
 namespace franken {
