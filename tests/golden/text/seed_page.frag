@@ -82,14 +82,14 @@ float denominatorD(Angles angles, Surface surface) {
 float shadowing(float nDotX, vec2 smith) {
   // The denominator of Schlick's G_1, N.X / (N.X (1 - k) + k): Karis, "Real Shading in Unreal Engine 4", 2013.
   // k = alpha / 2, and (roughness + 1)^2 / 8 for the BRDF `seed`.
-  return nDotX * smith.x + smith.y;
+  return smith.x * nDotX + smith.y;
 }
 
 // Returns pi D V; V = 0.25 / (shadowing(N.V) shadowing(N.L)).
 float specularLobe(Angles angles, float nDotV, Surface surface) {
-  float denominator = denominatorD(angles, surface) * shadowing(nDotV, surface.smith);
+  float denominator = shadowing(nDotV, surface.smith) * denominatorD(angles, surface);
   denominator *= shadowing(angles.nDotL, surface.smith);
-  return surface.gain * reciprocal(denominator) * (angles.h2 * angles.h2);
+  return (angles.h2 * angles.h2) * (surface.gain * reciprocal(denominator));
 }
 
 struct Sum {
@@ -129,14 +129,14 @@ void addLight(Light light, View view, Surface surface, inout Sum sum) {
   // One F_0 = mix(0.04, base, metalness) for both layers, and V's divisor 4 N.L N.V kept above 0.001. Of the lobe,
   // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
   Angles angles = anglesOf(light, view);
-  float kept = min(4000.0 * angles.nDotL * view.nDotV, 1.0);
-  float specular = angles.nDotL * kept * specularLobe(angles, view.nDotV, surface);
+  float kept = min(4000.0 * view.nDotV * angles.nDotL, 1.0);
+  float specular = kept * (specularLobe(angles, view.nDotV, surface) * angles.nDotL);
   float rim = angles.fresnel * specular;
   float face = specular - rim;
-  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
-  sum.specular += (surface.dielectric * face + rim) * light.radiance;
+  sum.specular += (rim + surface.dielectric * face) * light.radiance;
+  float entering = angles.nDotL - angles.fresnel * angles.nDotL;
   vec3 absorbed = entering * surface.tinted * surface.base;
-  sum.diffuse += (surface.diffuse * entering + face * surface.metal - absorbed) * light.radiance;
+  sum.diffuse += light.radiance * (entering * surface.diffuse + face * surface.metal - absorbed);
 }
 
 void main() {

@@ -5,12 +5,12 @@ void addLight(Light light, View view, Surface surface, inout Sum sum) {
   // One F_0 = mix(0.04, base, metalness) for both layers, and V's divisor 4 N.L N.V kept above 0.001. Of the lobe,
   // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
   Angles angles = anglesOf(light, view);
-  float kept = min(4000.0 * angles.nDotL * view.nDotV, 1.0);
-  float specular = angles.nDotL * kept * specularLobe(angles, view.nDotV, surface);
+  float kept = min(4000.0 * view.nDotV * angles.nDotL, 1.0);
+  float specular = kept * (specularLobe(angles, view.nDotV, surface) * angles.nDotL);
   float rim = angles.fresnel * specular;
   float face = specular - rim;
-  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
-  sum.specular += (surface.dielectric * face + rim) * light.radiance;
+  sum.specular += (rim + surface.dielectric * face) * light.radiance;
+  float entering = angles.nDotL - angles.fresnel * angles.nDotL;
   vec3 absorbed = entering * surface.tinted * surface.base;
-  sum.diffuse += (surface.diffuse * entering + face * surface.metal - absorbed) * light.radiance;
+  sum.diffuse += light.radiance * (entering * surface.diffuse + face * surface.metal - absorbed);
 }
