@@ -22,15 +22,33 @@ bool readWord(std::string_view digits, std::uint64_t& word) {
     return failed == std::errc() && end == digits.data() + digits.size();
 }
 
+/// Packs, and returns the first choice that has no such value, if there is one.
+const Choice* pack(const Permutation& permutation, Key& key) {
+    key = keyBits(kSchemaVersion, kSchemaBits.shift);
+    for (const Choice& choice : choices()) {
+        const unsigned value = choice.get(permutation);
+        if (value >= choice.options.size())
+            return &choice;
+        key.words[choice.shift / 64] |= std::uint64_t{value} << choice.shift % 64;
+    }
+    return nullptr;
+}
+
 } // namespace
 
 Key toKey(const Permutation& permutation) {
-    Key key = keyBits(kSchemaVersion, kSchemaBits.shift);
-    for (const Choice& choice : choices()) {
-        const unsigned value = choice.get(permutation);
-        assert(value < choice.options.size());
-        key.words[choice.shift / 64] |= std::uint64_t{value} << choice.shift % 64;
-    }
+    Key key;
+    [[maybe_unused]] const Choice* const wrong = pack(permutation, key);
+    assert(wrong == nullptr);
+    return key;
+}
+
+Result<Key> checkedKey(const Permutation& permutation) {
+    Key key;
+    if (const Choice* const wrong = pack(permutation, key); wrong != nullptr)
+        return Error{"permutation.range", toName(permutation),
+                     std::string(wrong->name) + " has no value " + std::to_string(wrong->get(permutation)),
+                     "pass what canonicalise() returned"};
     return key;
 }
 

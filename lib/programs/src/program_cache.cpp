@@ -6,7 +6,6 @@
 #include "franken/guard.h"
 #include "franken/key_table.h"
 #include "franken/own_thread.h"
-#include "franken/permutation_check.h"
 
 #include <algorithm>
 #include <chrono>
@@ -125,7 +124,7 @@ ProgramCache& ProgramCache::operator=(ProgramCache&&) noexcept = default;
 ProgramCache::~ProgramCache() = default;
 
 void ProgramCache::compileInBackground(const Permutation& permutation) {
-    if (checkValues(permutation) && m_state->entryOf(toKey(permutation)) == nullptr)
+    if (const Result<Key> key = checkedKey(permutation); key && m_state->entryOf(*key) == nullptr)
         m_state->add(permutation);
 }
 
@@ -147,12 +146,12 @@ ProgramHandle ProgramCache::find(const Key& key) {
 }
 
 Result<ProgramHandle> ProgramCache::get(const Permutation& permutation) {
-    if (Result<void> checked = checkValues(permutation); !checked)
-        return checked.error();
-    const Key key = toKey(permutation);
-    if (ProgramHandle program = find(key))
+    const Result<Key> key = checkedKey(permutation);
+    if (!key)
+        return key.error();
+    if (ProgramHandle program = find(*key))
         return program;
-    State::Entry* entry = m_state->entryOf(key);
+    State::Entry* entry = m_state->entryOf(*key);
     const bool known = entry != nullptr;
     if (!known)
         entry = &m_state->add(permutation);

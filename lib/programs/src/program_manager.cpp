@@ -4,7 +4,6 @@
 #include "franken/context_check.h"
 #include "franken/generator/ladder.h"
 #include "franken/guard.h"
-#include "franken/permutation_check.h"
 #include "program_probe.h"
 #include "texture_reset.h"
 
@@ -143,7 +142,7 @@ bool ProgramManager::State::isValidated(const ProgramUse& use, const ProgramHand
 }
 
 Result<ProgramManager::Supplied> ProgramManager::get(const ProgramUse& use, const DrawTarget* target) {
-    if (Result<void> checked = checkValues(use.permutation); !checked)
+    if (const Result<Key> checked = checkedKey(use.permutation); !checked)
         return checked.error();
     State& state = *m_state;
     ProgramUse rung = use;
@@ -244,7 +243,7 @@ Result<std::vector<bool>> ProgramManager::State::validate(std::span<const Progra
 Result<WarmUpReport> ProgramManager::warmUp(std::span<const ProgramUse> uses, const DrawTarget& target,
                                             const WarmUpProgress& progress) {
     for (const ProgramUse& use : uses)
-        if (Result<void> checked = checkValues(use.permutation); !checked)
+        if (const Result<Key> checked = checkedKey(use.permutation); !checked)
             return checked.error();
     const Clock::time_point begin = Clock::now();
     const unsigned failures = counters().failures;

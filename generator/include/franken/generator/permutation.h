@@ -194,6 +194,9 @@ inline constexpr unsigned kSchemaVersion = 2;
 /// Packs; any values of the members are allowed as long as they are in range (asserted).
 Key toKey(const Permutation& permutation);
 
+/// The same for permutations from outside. Fails with "permutation.range" for a value that no choice has.
+Result<Key> checkedKey(const Permutation& permutation);
+
 /// Unpacks. Fails with "permutation.schema" for another schema version and "permutation.key" where a bit
 /// pattern means nothing or a reserved bit is set.
 Result<Permutation> fromKey(const Key& key);
