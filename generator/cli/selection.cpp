@@ -15,6 +15,8 @@
 namespace franken::cli {
 namespace {
 
+constexpr std::size_t kMostMisfits = 100'000; // About a second.
+
 Result<Permutation> permutationOfKey(std::string_view hex) {
     const Result<Key> key = parseHex(hex);
     if (!key)
@@ -113,10 +115,13 @@ public:
     Sieve(std::size_t limit, Shard shard, const std::function<void(const Permutation&)>& visit)
         : m_limit(limit), m_shard(shard), m_visit(visit) {}
 
+    // There may be more. False, as for what ends a search.
+    bool stop() { return m_selected.complete = false; }
+
     // False once the limit is reached and one more has come.
     bool offer(const Permutation& permutation) {
         if (m_limit > 0 && m_offered == m_limit)
-            return m_selected.complete = false;
+            return stop();
         if (m_offered++ % m_shard.count == m_shard.index - 1) {
             m_visit(permutation);
             ++m_selected.count;
@@ -180,10 +185,18 @@ std::optional<Selected> select(const SelectionOptions& options, Console& console
     const Fits fits(options);
     Sieve sieve(options.limit.value_or(wholeSpace ? kDefaultLimit : 0), options.shard, visit);
     if (wholeSpace) {
+        std::size_t misfits = 0; // In a row: the space has more permutations than anyone can wait for.
         space->forEachCanonical(
-            [&](const Permutation& permutation) { return !fits(permutation) || sieve.offer(permutation); },
+            [&](const Permutation& permutation) {
+                if (fits(permutation))
+                    return misfits = 0, sieve.offer(permutation);
+                return ++misfits < kMostMisfits || sieve.stop();
+            },
             [&](std::uint64_t tried) { console.progress("candidates tried:", tried, 0); });
         console.endProgress();
+        if (misfits == kMostMisfits)
+            console.note("stopped after " + std::to_string(kMostMisfits) +
+                         " permutations in a row that do not fit; narrow the selection with --where");
         return sieve.finish(space->product());
     }
     const auto permutations = listed(options, fits, console);

@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <chrono>
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -34,12 +33,6 @@ protected:
         EXPECT_EQ(wait4(child, &status, 0, &usage), child);
         EXPECT_EQ(status, 0) << read("err");
         return usage.ru_maxrss;
-    }
-
-    double secondsOf(const std::string& command) const {
-        const auto before = std::chrono::steady_clock::now();
-        EXPECT_EQ(shell(command).code, 0) << command << read("err");
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
     }
 };
 
@@ -204,21 +197,6 @@ TEST_F(CliBuild, TenThousandProgramsTakeLittleMemory) {
     EXPECT_LE(peakOf("dump --manifest names.txt --limit 1000 -o all"), kLimit);
     EXPECT_EQ(json::parse(read("all.json"))["programs"].size(), 10000u);
     fs::remove_all(m_directory);
-}
-
-// Starting glslang takes most of the time, so that one process for many programs is what pays.
-TEST_F(CliBuild, ChecksManyProgramsInAFifthOfTheTimeOfEach) {
-    if (shell("command -v glslangValidator").code != 0)
-        GTEST_SKIP() << "glslangValidator is not installed (Debian: glslang-tools)";
-    constexpr int kPrograms = 240, kSingle = 24;
-    const std::string program = kProgram;
-    shell(program + " list --where lit --limit " + std::to_string(kPrograms) + " >names.txt");
-    const double batch = secondsOf(program + " check --manifest names.txt || [ $? = 1 ]") / kPrograms;
-    const double single = secondsOf("head -n " + std::to_string(kSingle) + " names.txt | while read -r name; do " +
-                                    program + " check \"$name\" || [ $? = 1 ] || exit 2; done") /
-                          kSingle;
-    std::cout << batch * 1e3 << " ms a program, alone " << single * 1e3 << " ms\n";
-    EXPECT_LE(batch, single / 5);
 }
 
 TEST_F(CliBuild, AFindingOfABatchIsOfItsProgram) {
