@@ -173,12 +173,13 @@ void HandLoop::draw(const glm::mat4& viewProjection, const glm::vec3& eye, GLuin
         m_gl.ClearColor(0, 0, 0, 1);
         for (GLuint location = 0; location < 4; ++location)
             m_gl.EnableVertexAttribArray(location);
+        constexpr float kOrigin[3] = {0, 0, 0}; // Models are placed from the eye.
+        m_gl.Uniform3fv(m_at.cameraPosition, 1, kOrigin);
         m_gl.Uniform3fv(m_at.ambient, 1, m_ambient);
         m_gl.Uniform3fv(m_at.sunDirection, 1, m_sunDirection);
         m_gl.Uniform3fv(m_at.sunRadiance, 1, m_sunRadiance);
     }
     m_gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    m_gl.Uniform3fv(m_at.cameraPosition, 1, glm::value_ptr(eye));
     std::size_t material = m_materials.size(), mesh = m_meshes.size();
     for (const Object& object : m_objects) {
         if (object.material != material)
@@ -188,7 +189,9 @@ void HandLoop::draw(const glm::mat4& viewProjection, const glm::vec3& eye, GLuin
         const glm::mat4 modelViewProjection = viewProjection * object.model;
         m_gl.UniformMatrix4fv(m_at.modelViewProjection, 1, GL_FALSE, glm::value_ptr(modelViewProjection));
         m_gl.UniformMatrix3fv(m_at.normalMatrix, 1, GL_FALSE, glm::value_ptr(object.normal));
-        m_gl.UniformMatrix4fv(m_at.model, 1, GL_FALSE, glm::value_ptr(object.model));
+        glm::mat4 model = object.model;
+        model[3] -= glm::vec4(eye, 0);
+        m_gl.UniformMatrix4fv(m_at.model, 1, GL_FALSE, glm::value_ptr(model));
         m_gl.DrawElements(GL_TRIANGLES, m_meshes[mesh].count, GL_UNSIGNED_SHORT, nullptr);
     }
 }
