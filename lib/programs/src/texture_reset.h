@@ -8,7 +8,8 @@
 
 namespace franken {
 
-/// Keeps drivers from compiling a program without textures once for each texture state that it follows.
+/// Stops vc4 and v3d from compiling an untextured program again for whatever textures the draw before left
+/// bound.
 ///
 /// Mesa updates a driver's textures only for programs that sample some, so that those of the draw before stay
 /// in place; and vc4 and v3d compile a program for all textures in place, whether it samples them or not

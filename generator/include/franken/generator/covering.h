@@ -15,9 +15,9 @@ namespace FRANKEN_API franken {
 /// large to be tested.
 ///
 /// What is covered, exactly: each triple of values of three different choices that stands in some
-/// canonical permutation stands in one of these. Triples are not asked for where canonicalising refuses or
-/// drops one of the three values whatever the other choices are (the sky has no normal map): no program
-/// shows them. Choices that change no program of this version at all keep their default.
+/// canonical permutation stands in one of these. Triples that can never occur together in a canonical
+/// permutation are excluded (the skybox has no normal map). Choices that change no program of this version at
+/// all keep their default.
 ///
 /// The triples are found by looking at some ten thousand permutations, not by proof; a test looks at tens
 /// of thousands of others. Deterministic: the same set, in the same order, on every machine. Takes about a

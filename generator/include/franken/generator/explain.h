@@ -24,10 +24,10 @@ struct Reason {
 };
 
 /// The snippets of a canonical permutation's program, in the order of the text (vertex, then fragment), and
-/// the words of its name that brought each: what compose.h's line map needs to tell, of every line, where it
-/// comes from and why it is there. A word is found to bring a snippet by planning the program without it;
-/// where no single word is missed, words are taken away from the last to the first for as long as the snippet
-/// stays.
+/// the words of its name that bring each one in. With compose.h's line map they tell of every line where it
+/// comes from and why it is there. A word brings a snippet in if the program without the word lacks the
+/// snippet; if no single word is necessary, words are removed from last to first while the snippet remains,
+/// and the rest is reported.
 std::vector<Reason> explain(const Permutation& permutation);
 
 /// "normal+sun1" where all are needed, "sun1 or others" where those are enough, "" for what is always there.

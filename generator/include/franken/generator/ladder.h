@@ -8,11 +8,11 @@
 
 namespace FRANKEN_API franken {
 
-/// The next rung of the ladder that a program falls down where a driver refuses it: the same thing, drawn by
-/// a simpler program. Nothing below the last rung. Takes and returns canonical permutations; the way down
-/// from any permutation is the same on every machine, and has at most nine rungs below it.
+/// The next rung of the ladder (fallback chain): a simpler program that draws the same object, for a driver
+/// that refuses this one. None below the last rung. Takes and returns canonical permutations; the ladder of a
+/// permutation is the same on every machine, and has at most nine rungs below it.
 ///
-/// Each rung gives up one thing, and later ones are seen more:
+/// Each rung drops one feature; later rungs are more visible:
 ///
 ///  1. the form for a GPU: another text, the same picture
 ///  2. dithering

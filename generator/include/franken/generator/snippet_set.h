@@ -12,11 +12,11 @@
 
 namespace FRANKEN_API franken {
 
-/// The snippets that programs are composed of. Everyone is served by those that the library was built with,
-/// but for people who write snippets: they read the folder again when a file has changed, and build nothing.
+/// The snippets that programs are composed of. Most users need only the built-in set. Authors of snippets load
+/// a folder, and load it again after an edit, without building.
 ///
-/// A value that never changes and is cheap to copy (one reference is counted), safe on any thread. What has
-/// been composed from a set holds nothing of it.
+/// An immutable value that is cheap to copy (one reference is counted), safe on any thread. A composed program
+/// keeps no reference to its set.
 class SnippetSet {
 public:
     /// The files of generator/glsl, as they were at build time. What is composed unless told otherwise.

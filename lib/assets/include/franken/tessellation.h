@@ -6,14 +6,14 @@
 
 namespace FRANKEN_API franken {
 
-/// How finely a mesh is tessellated, as light sees it: the angle by which normals turn within a triangle, in
-/// radians, such that triangles with more than it hold at most 1 % of the surface. 0 for a flat or empty
-/// mesh. Hard edges have their normals apart in different vertices and so do not count.
+/// How finely a mesh is tessellated, as light sees it: the angle between the vertex normals of a triangle, in
+/// radians, 99th percentile by area. 0 for a flat or empty mesh. A hard edge does not count: its two sides
+/// have vertices of their own.
 float normalTurn(const Primitive& primitive);
 
-/// Up to this turn, light vectors per vertex give the picture that those per pixel give: 8 degrees, the
-/// diagonal of a sphere's quads at 64 by 32, on which 0.5 % of the pixels or fewer differ by more than one
-/// code (tests/render/light_vectors_test.cpp).
+/// Up to this angle, light vectors per vertex draw the same picture as light vectors per pixel. 8 degrees is
+/// the diagonal of a quad of a sphere of 64 by 32, where at most 0.5 % of the pixels differ by more than one
+/// code (tests/renderer/light_vectors_test.cpp).
 inline constexpr float kFineNormalTurn = 0.14f;
 
 } // namespace franken

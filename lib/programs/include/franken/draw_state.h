@@ -12,10 +12,10 @@
 
 namespace FRANKEN_API franken {
 
-/// What a driver compiles a program for, besides its text: vc4 and v3d compile again at the first draw in
-/// which one of these is new. The rest that they look at is the same in all draws of this library: textures
-/// are RGBA8, each attribute has one format, the depth test is on, all channels are written;
-/// or it is the target's: its format, its samples.
+/// GL state that vc4 and v3d compile into a program: the first draw with a new combination compiles it again.
+/// Other state that they compile in is the same in all draws of this library (textures are RGBA8, each
+/// attribute has one format, the depth test is on, all channels are written), or belongs to the target (its
+/// format and samples).
 struct DrawState {
     struct Wraps {
         Wrap s = Wrap::Repeat, t = Wrap::Repeat;

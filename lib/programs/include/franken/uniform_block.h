@@ -23,12 +23,12 @@ struct BlockView {
     std::uint64_t serial = 0;
 };
 
-/// What a program is fed with, one for each Block, in the order of the enumeration.
+/// The uniforms of one draw: a view of each Block, in the order of the enumeration.
 using BlockViews = std::array<BlockView, 4>;
 
-/// One of the blocks of generator's pack.h, with a serial that changes whenever the values may have. A
-/// program uploads a block only when the serial is not the one that it saw last, so that drawing the same
-/// thing again costs nothing, and two objects that share a block cost one upload.
+/// One of the blocks of generator's pack.h, with a serial that changes whenever the values may have changed. A
+/// program uploads a block only when its serial has changed since the last upload: drawing the same object
+/// again costs nothing, and two objects that share a block cost one upload.
 template<typename Values>
 class UniformBlock {
     static_assert(std::is_standard_layout_v<Values> && sizeof(Values) % sizeof(float) == 0,
@@ -37,7 +37,7 @@ class UniformBlock {
 public:
     const Values& values() const { return m_values; }
 
-    /// The values, to be written to now: whatever holds the reference longer changes them unseen.
+    /// The values, to be written at once. A write through a reference that is kept longer is not uploaded.
     Values& edit() {
         m_serial = newSerial();
         return m_values;

@@ -9,7 +9,7 @@
 
 namespace FRANKEN_API franken {
 
-/// Where the entry of a key stands, or none: a flat table with open addressing, at most half full. It
+/// Maps a key to the index of its entry: a flat table with open addressing, at most half full. It
 /// compares whole keys; a hash only says where to begin.
 class KeyTable {
 public:

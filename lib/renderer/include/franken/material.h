@@ -29,7 +29,8 @@ struct Look {
     bool facingWorkaround = false;
 };
 
-/// Which of a primitive's optional attributes are there, and what else of its vertices chooses programs.
+/// Which of a primitive's optional attributes are there, and other properties of its vertices that choose
+/// programs.
 struct VertexContents {
     bool tangents = false;
     std::array<bool, 2> uv{}; ///< TEXCOORD_0, TEXCOORD_1
