@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <string>
 #include <vector>
 
@@ -96,12 +95,15 @@ struct Include {
 };
 
 std::vector<Include> includesOf(const std::string& file) {
-    static const std::regex kInclude(R"(^\s*#\s*include\s*(["<])([^">]+)[">])");
+    const std::string directive = "#include ";
     std::vector<Include> includes;
     std::ifstream in(kRoot / file);
     for (std::string line; std::getline(in, line);)
-        if (std::smatch match; std::regex_search(line, match, kInclude))
-            includes.push_back({match[2], match[1] == "\""});
+        if (line.starts_with(directive)) {
+            const std::string rest = line.substr(directive.size());
+            const std::size_t end = rest.find_first_of("\">", 1);
+            includes.push_back({rest.substr(1, end - 1), rest.front() == '"'});
+        }
     return includes;
 }
 
