@@ -62,6 +62,8 @@ TEST(GpuHealth, SeesALivingCanaryAndLeavesTheStateAlone) {
     const Result<test::Offscreen> target = test::openOffscreen(Backend::EglSurfaceless, {8, 8});
     ASSERT_TRUE(target) << toString(target.error());
     const Gl& gl = target->gl;
+    gl.ClearColor(0, 0, 0, 0);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
     gl.ClearColor(1, 0, 0, 1);
     gl.Scissor(0, 0, 4, 4);
     gl.Enable(GL_SCISSOR_TEST);
