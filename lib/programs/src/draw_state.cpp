@@ -5,11 +5,11 @@ namespace franken {
 
 const DrawState::AllWraps& DrawState::usualWraps() {
     static const AllWraps all = [] {
-        AllWraps wraps;
+        AllWraps usual;
         for (const TextureRoleRow& role : textureRoles())
             if (!role.repeats)
-                wraps[role.unit] = kClamped;
-        return wraps;
+                usual[role.unit] = kClamped;
+        return usual;
     }();
     return all;
 }
