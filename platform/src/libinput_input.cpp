@@ -3,6 +3,8 @@
 
 #ifdef FRANKEN_LIBINPUT
 
+#include "owned.h"
+
 #include <libinput.h>
 #include <libudev.h>
 
@@ -19,16 +21,6 @@
 namespace franken::platform {
 
 namespace {
-
-template<auto free>
-struct Freer {
-    template<typename T>
-    void operator()(T* pointer) const {
-        free(pointer);
-    }
-};
-template<typename T, auto free>
-using Owned = std::unique_ptr<T, Freer<free>>;
 
 int openDevice(const char* path, int flags, void* options) {
     const int descriptor = open(path, flags | O_CLOEXEC);

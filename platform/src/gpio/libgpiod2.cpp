@@ -2,6 +2,7 @@
 //
 // libgpiod 2.x, of Debian 13. The kernel could debounce here, but does not with 1.6: one debouncer serves
 // both.
+#include "../owned.h"
 #include "line.h"
 
 #include <gpiod.h>
@@ -11,16 +12,6 @@
 namespace franken::platform {
 
 namespace {
-
-template<auto free>
-struct Freer {
-    template<typename T>
-    void operator()(T* pointer) const {
-        free(pointer);
-    }
-};
-template<typename T, auto free>
-using Owned = std::unique_ptr<T, Freer<free>>;
 
 using Chip = Owned<gpiod_chip, gpiod_chip_close>;
 using ChipInfo = Owned<gpiod_chip_info, gpiod_chip_info_free>;

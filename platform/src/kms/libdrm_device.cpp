@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../descriptor.h"
+#include "../owned.h"
 #include "device.h"
 
 #include <fcntl.h>
@@ -14,17 +15,6 @@
 namespace franken::platform {
 
 namespace {
-
-/// What libdrm returns is freed by a function of its own.
-template<auto free>
-struct Freer {
-    template<typename T>
-    void operator()(T* pointer) const {
-        free(pointer);
-    }
-};
-template<typename T, auto free>
-using Owned = std::unique_ptr<T, Freer<free>>;
 
 using Resources = Owned<drmModeRes, drmModeFreeResources>;
 using Connector = Owned<drmModeConnector, drmModeFreeConnector>;
