@@ -54,6 +54,7 @@ struct Input::State {
     void keyed(libinput_event* event);
     void pointed(libinput_event* event);
     void take(libinput_event* event);
+    void takeAll();
     int freeFinger() const;
     Rotation touchRotation() const { return options.touch.value_or(options.screen); }
 };
@@ -156,6 +157,13 @@ void Input::State::take(libinput_event* event) {
     }
 }
 
+void Input::State::takeAll() {
+    while (libinput_event* event = libinput_get_event(context.get())) {
+        take(event);
+        libinput_event_destroy(event);
+    }
+}
+
 Input::Input(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 Input::~Input() = default;
 
@@ -168,18 +176,15 @@ Result<std::unique_ptr<Input>> Input::open(const InputOptions& options) {
     if (!state->context || libinput_udev_assign_seat(state->context.get(), options.seat.c_str()) != 0)
         return Error{"input.driver", options.seat, "the seat's devices cannot be had",
                      "does systemd-udevd run?"};
+    state->takeAll(); // Devices are set up before their first touch is read.
     return std::unique_ptr<Input>(new Input(std::move(state)));
 }
 
 int Input::descriptor() const { return libinput_get_fd(m_state->context.get()); }
 
 std::vector<InputEvent> Input::dispatch() {
-    libinput* context = m_state->context.get();
-    libinput_dispatch(context);
-    while (libinput_event* event = libinput_get_event(context)) {
-        m_state->take(event);
-        libinput_event_destroy(event);
-    }
+    libinput_dispatch(m_state->context.get());
+    m_state->takeAll();
     return std::exchange(m_state->events, {});
 }
 

@@ -3,45 +3,15 @@
 // Buttons, an encoder and an output on gpio-sim. In virtual time.
 #include "franken/platform/gpio.h"
 #include "support/guest.h"
+#include "support/sim_chip.h"
 
 #include <poll.h>
-#include <unistd.h>
-
-#include <filesystem>
 
 namespace franken::test {
 namespace {
 
 using namespace std::chrono_literals;
 using namespace platform;
-
-const std::string kSim = "/sys/kernel/config/gpio-sim/header";
-
-/// A chip with the label of a Pi 4's header, as long as it lives.
-class SimChip {
-public:
-    SimChip() {
-        std::filesystem::create_directories(kSim + "/bank0");
-        writeFile(kSim + "/bank0/num_lines", "28");
-        writeFile(kSim + "/bank0/label", "pinctrl-bcm2711");
-        writeFile(kSim + "/live", "1");
-        m_lines = "/sys/devices/platform/" + readFile(kSim + "/dev_name") + "/" +
-                  readFile(kSim + "/bank0/chip_name");
-    }
-    ~SimChip() {
-        writeFile(kSim + "/live", "0");
-        rmdir((kSim + "/bank0").c_str());
-        rmdir(kSim.c_str());
-    }
-    void pull(unsigned line, bool up) const { writeFile(file(line, "pull"), up ? "pull-up" : "pull-down"); }
-    std::string value(unsigned line) const { return readFile(file(line, "value")); }
-
-private:
-    std::string file(unsigned line, const char* name) const {
-        return m_lines + "/sim_gpio" + std::to_string(line) + "/" + name;
-    }
-    std::string m_lines;
-};
 
 /// Polls for so long and counts what comes.
 GpioInputs::Events wait(GpioInputs& inputs, std::chrono::milliseconds time) {

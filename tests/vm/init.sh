@@ -7,6 +7,8 @@ export PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/run LC_ALL=C XDG_RUNTIME_DIR=/ru
 mount -n -t proc proc /proc
 mount -n -t sysfs sysfs /sys
 mount -n -t devtmpfs dev /dev
+# A kernel with virtual consoles opens none for its first process: the first files that a daemon opens would be taken for them.
+exec </dev/null >/dev/null 2>&1
 mkdir -p /dev/shm /dev/pts
 mount -n -t tmpfs shm /dev/shm
 mount -n -t devpts devpts /dev/pts

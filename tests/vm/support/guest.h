@@ -5,6 +5,7 @@
 #include "support/scene.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <memory>
@@ -33,8 +34,9 @@ bool waitFor(platform::Surface& surface, platform::SurfaceState state, std::chro
 platform::CompletedFrame showFrame(platform::Surface& surface, const VmScene& scene);
 
 /// What the guest's screen shows: the next picture that is scanned out, by vkms' writeback connector. In the
-/// format of a fourcc: XR24 or RG16 (5 and 6 bits are widened by repeating the upper ones).
-VmPicture scannedOut(std::uint32_t fourcc);
+/// format of a fourcc: XR24 or RG16 (5 and 6 bits are widened by repeating the upper ones). `process`: the
+/// screen's master.
+VmPicture scannedOut(std::uint32_t fourcc, pid_t process = getpid());
 
 /// Forces the status of the screen's connector: "off", "detect".
 void plug(const std::string& status);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Only the master may ask for a copy of what is scanned out, so this goes through the descriptor that the
-// surface under test has open.
+// program under test has open.
 #include "support/guest.h"
 
 #include <drm_fourcc.h>
 #include <poll.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 #include <xf86drm.h>
 #include <xf86drmMode.h>
@@ -18,16 +19,25 @@ namespace franken::test {
 
 namespace {
 
-int screenDescriptor() {
-    for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+/// The descriptor by which a process is the screen's master; of another process, a copy of it: it shares what
+/// it may.
+int screenDescriptor(pid_t process) {
+    const std::string folder = "/proc/" + std::to_string(process) + "/fd";
+    const int handle = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
+    int found = -1;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         std::error_code error;
-        if (std::filesystem::read_symlink(entry.path(), error).string().starts_with("/dev/dri/card")) {
-            const int descriptor = std::stoi(entry.path().filename());
-            if (drmIsMaster(descriptor) != 0)
-                return descriptor;
-        }
+        if (!std::filesystem::read_symlink(entry.path(), error).string().starts_with("/dev/dri/card"))
+            continue;
+        const int number = std::stoi(entry.path().filename());
+        const int copy = static_cast<int>(syscall(SYS_pidfd_getfd, handle, number, 0));
+        if (found < 0 && copy >= 0 && drmIsMaster(copy) != 0)
+            found = copy;
+        else if (copy >= 0)
+            close(copy);
     }
-    return -1;
+    close(handle);
+    return found;
 }
 
 std::uint32_t property(int device, std::uint32_t object, std::uint32_t type, const char* name) {
@@ -110,9 +120,11 @@ int commit(int device, std::uint32_t connector, std::uint32_t crtc, const Copy* 
 
 } // namespace
 
-VmPicture scannedOut(std::uint32_t fourcc) {
-    const int device = screenDescriptor();
-    EXPECT_GE(device, 0) << "this process is not the screen's master";
+VmPicture scannedOut(std::uint32_t fourcc, pid_t process) {
+    const int device = screenDescriptor(process);
+    EXPECT_GE(device, 0) << "process " << process << " is not the screen's master";
+    if (device < 0)
+        return {};
     drmSetClientCap(device, DRM_CLIENT_CAP_WRITEBACK_CONNECTORS, 1);
     drmModeRes* resources = drmModeGetResources(device);
     drmModeCrtc* crtc = drmModeGetCrtc(device, resources->crtcs[0]);
@@ -131,6 +143,7 @@ VmPicture scannedOut(std::uint32_t fourcc) {
     }
     drmModeFreeCrtc(crtc);
     drmModeFreeResources(resources);
+    close(device);
     return picture;
 }
 
