@@ -14,8 +14,8 @@ using namespace franken;
 namespace {
 
 constexpr char kAbout[] =
-    "Filters a sky once, so that a Pi has nothing to do but to load it: the light that it sends to matt\n"
-    "surfaces, what rough mirrors show of it, how much they reflect, and the sky itself as a cube map.";
+    "Filters a sky once, so that a Pi only loads it: its irradiance, its reflection for each roughness, and\n"
+    "the skybox.";
 constexpr char kFooter[] = "The file's format is in franken/baked_sky.h. `viewer --skybox` takes it.\n"
                            "Exit codes: 0 ok, 2 usage, 3 the sky was refused, 4 the file cannot be written.\n"
                            "Example: bake venice.hdr -o venice.sky --sun";
@@ -62,12 +62,12 @@ int main(int argc, char** argv) {
     app.add_option("-o,--output-file", options.output, "The baked sky [SKY's name with .sky]")
         ->type_name("FILE");
     app.add_flag("--sun", options.bake.sun, "Takes the sun out and stores it as a directional light");
-    app.add_option("--backdrop", options.bake.backdropSize,
-                   "Of a face of the cube map behind the scene, texels; 0 for none [512]")
+    app.add_option("--skybox-size", options.bake.skyboxSize,
+                   "Edge of the skybox's faces, texels; 0 for no skybox [512]")
         ->check(CLI::Range(0, kMaxSkyWidth / 4));
-    app.add_option("--size", options.bake.specularSize,
-                   "Of the sharpest mirror image's squares, texels; a Pi 3 takes up to 512 [256]")
-        ->check(CLI::Range(kMinSpecularSize, kMaxSpecularSize));
+    app.add_option("--reflection-size", options.bake.reflectionSize,
+                   "Edge of the squares of the sharpest reflection, texels; a Pi 3 takes up to 512 [256]")
+        ->check(CLI::Range(kMinReflectionSize, kMaxReflectionSize));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

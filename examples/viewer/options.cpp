@@ -179,7 +179,7 @@ void addScene(CLI::App& app, Options& options) {
            "bake made of one")
         ->type_name("FILE");
     app.add_flag("--sky-sun", options.skySun,
-                 "Takes the sun out of the sky, so that it is one more sun with sharp mirror images");
+                 "Takes the sun out of the sky, so that it is one more sun with sharp highlights");
     app.add_option_function<std::string>(
            "--exposure",
            [&options](const std::string& text) {

@@ -8,20 +8,20 @@ using namespace franken;
 
 namespace {
 
-const SkyCube* backdropOf(const Subject& subject) {
-    return subject.sky && subject.sky->backdrop.size > 0 ? &subject.sky->backdrop : nullptr;
+const SkyboxMap* skyboxOf(const Subject& subject) {
+    return subject.sky && subject.sky->skybox.size > 0 ? &subject.sky->skybox : nullptr;
 }
 
 } // namespace
 
 Result<std::vector<ProgramUse>> usesOf(const Subject& subject, const Look& look, const Log& log) {
     Result<std::vector<ProgramUse>> uses = franken::usesOf(subject.scene, subject.lighting, look, log);
-    if (!uses || !backdropOf(subject))
+    if (!uses || !skyboxOf(subject))
         return uses;
-    const Result<ProgramUse> backdrop = skyUse(look);
-    if (!backdrop)
-        return backdrop.error();
-    uses->push_back(*backdrop);
+    const Result<ProgramUse> skybox = skyboxUse(look);
+    if (!skybox)
+        return skybox.error();
+    uses->push_back(*skybox);
     return uses;
 }
 
@@ -52,11 +52,12 @@ Result<void> Studio::show(const Subject& subject) {
     if (Result<void> loaded = m_renderer.load(subject.scene); !loaded)
         return loaded;
     if (subject.sky != m_sky) {
-        if (Result<void> shown = m_renderer.setSkybox(backdropOf(subject)); !shown)
+        if (Result<void> shown = m_renderer.setSkybox(skyboxOf(subject)); !shown)
             return shown;
-        if (Result<void> mirrored = m_renderer.setReflection(subject.sky ? &subject.sky->mirror : nullptr);
-            !mirrored)
-            return mirrored;
+        if (Result<void> reflected =
+                m_renderer.setReflection(subject.sky ? &subject.sky->reflection : nullptr);
+            !reflected)
+            return reflected;
         m_sky = subject.sky;
     }
     m_renderer.setLighting(subject.lighting);

@@ -18,7 +18,7 @@ struct Subject {
     std::shared_ptr<const franken::BakedSky> sky; ///< Null for none.
 };
 
-/// The programs that a picture needs and the states that it draws them in, those of the backdrop included.
+/// The programs that a picture needs and the states that it draws them in, the skybox included.
 franken::Result<std::vector<franken::ProgramUse>> usesOf(const Subject& subject, const franken::Look& look,
                                                          const franken::Log& log);
 

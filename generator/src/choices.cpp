@@ -59,8 +59,9 @@ constexpr Option kShading[] = {{"lit", "lit by ambient light, suns and punctual 
 constexpr Option kAmbient[] = {{"no-ambient", "no ambient light"},
                                {"ambient", "one colour from everywhere"},
                                {"sh", "a sky's irradiance, nine SH coefficients"}};
-constexpr Option kReflection[] = {{"no-reflection", "the sky lights, and is not reflected"},
-                                  {"reflection", "rough mirrors show the sky: filtered levels and a lookup"}};
+constexpr Option kReflection[] = {
+    {"no-reflection", "the sky lights, and is not reflected"},
+    {"reflection", "surfaces reflect the sky: prefiltered levels and a lookup"}};
 constexpr Option kSuns[] = {{"sun0", "no sun"},
                             {"sun1", "one sun"},
                             {"sun2", "two suns"},

@@ -57,11 +57,11 @@ Float4 packReflectance(float metallic, Brdf brdf) {
 
 } // namespace
 
-float specularBend(float roughness, float metallic) { return roughness * roughness * (metallic + 0.6f); }
+float reflectionBend(float roughness, float metallic) { return roughness * roughness * (metallic + 0.6f); }
 
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure) {
     const Float3 base = {factors.baseColor[0], factors.baseColor[1], factors.baseColor[2]};
-    const float bend = specularBend(factors.roughness, factors.metallic);
+    const float bend = reflectionBend(factors.roughness, factors.metallic);
     const Float3 emissive = scaled(factors.emissive, exposure);
     return {.baseColor = factors.baseColor,
             .baseColorCubic = {scaled(base, kDecodeCubic[0]), scaled(base, kDecodeCubic[1]),

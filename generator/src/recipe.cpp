@@ -82,7 +82,8 @@ bool toneMapped(P p, N n) {
     return p.toneMap != ToneMap::None && (p.program == Program::Sky || n.direct || n.ambient || n.emissive);
 }
 
-// Whether vectors are made unit that go into a highlight's width (docs/mathematics.md, Roots on VideoCore IV).
+// Whether vectors are made unit that go into a highlight's width (docs/mathematics.md, Roots on VideoCore
+// IV).
 bool exactLengths(N n) {
     return n.lightForm == LightForm::PixelUnit || n.lightForm == LightForm::VertexWorld;
 }
@@ -107,8 +108,12 @@ constexpr std::array kSlots = {
     Slot{kVertex, needs<&Needs::material>, {{"transform/position"}}},
     Slot{kVertex, is<&Permutation::program, Program::Overlay>, {{"transform/overlay"}}},
     Slot{kVertex, is<&Permutation::program, Program::Sky>, {{"transform/skybox"}}},
-    Slot{kVertex, needs<&Needs::uv0>, {{"streams/uv0.transform", is<&Permutation::uv0Transform, true>}, {"streams/uv0"}}},
-    Slot{kVertex, needs<&Needs::uv1>, {{"streams/uv1.transform", is<&Permutation::uv1Transform, true>}, {"streams/uv1"}}},
+    Slot{kVertex,
+         needs<&Needs::uv0>,
+         {{"streams/uv0.transform", is<&Permutation::uv0Transform, true>}, {"streams/uv0"}}},
+    Slot{kVertex,
+         needs<&Needs::uv1>,
+         {{"streams/uv1.transform", is<&Permutation::uv1Transform, true>}, {"streams/uv1"}}},
     Slot{kVertex, coloured, {{"streams/color"}}},
     Slot{kVertex, kNormal, {{"frame/normal"}}},
     Slot{kVertex, normalVarying, {{"frame/normal_varying"}}},
@@ -131,7 +136,8 @@ constexpr std::array kSlots = {
     Slot{kFragment, cameraVarying, {{"inputs/to_camera"}}},
     Slot{kFragment, is<&Permutation::program, Program::Sky>, {{"inputs/direction"}}},
 
-    Slot{kFragment, [](P p, N n) { return n.decode && p.decode == Decode::Exact; }, {{"math/srgb_to_linear"}}},
+    Slot{
+        kFragment, [](P p, N n) { return n.decode && p.decode == Decode::Exact; }, {{"math/srgb_to_linear"}}},
     Slot{kFragment, roots, {{"math/square_root.vc4", kOnVc4}, {"math/square_root"}}},
     Slot{kFragment, kNormal, {{"math/inverse_square_root.vc4", looseLengths}, {"math/inverse_square_root"}}},
     Slot{kFragment,
@@ -145,18 +151,22 @@ constexpr std::array kSlots = {
     Slot{kFragment,
          [](P p, N n) { return n.color && p.baseColorTexture && n.decode && p.decode == Decode::Exact; },
          {{"base_color/srgb_to_linear"}}},
-    Slot{kFragment, texturedBase, {{"base_color/approximate_srgb_to_linear", cubic}, {"base_color/times_factor"}}},
+    Slot{kFragment,
+         texturedBase,
+         {{"base_color/approximate_srgb_to_linear", cubic}, {"base_color/times_factor"}}},
     Slot{kFragment,
          [](P p, N n) { return texturedBase(p, n) && cubic(p, n) && p.alpha != Alpha::Opaque; },
          {{"base_color/times_alpha"}}},
     Slot{kFragment, coloured, {{"base_color/times_vertex_color"}}},
-    Slot{kFragment, [](P p, N n) { return n.material && p.alpha == Alpha::Mask; }, {{"base_color/alpha_mask"}}},
+    Slot{kFragment,
+         [](P p, N n) { return n.material && p.alpha == Alpha::Mask; },
+         {{"base_color/alpha_mask"}}},
 
     Slot{kFragment,
          kNormal,
          {{"normal/map.tangent_space", kTangent, &Permutation::normalUv},
-          {"normal/map.unnormalised", [](P, N n) { return n.normalMap && n.lightForm == LightForm::PixelFew; },
-           &Permutation::normalUv},
+          {"normal/map.unnormalised",
+           [](P, N n) { return n.normalMap && n.lightForm == LightForm::PixelFew; }, &Permutation::normalUv},
           {"normal/map", needs<&Needs::normalMap>, &Permutation::normalUv},
           {"normal/vertex.unnormalised", kFew},
           {"normal/vertex"}}},
@@ -172,12 +182,14 @@ constexpr std::array kSlots = {
          {{"metallic_roughness/factors"}}},
     Slot{kFragment,
          [](P p, N n) { return n.metallic && (n.textured || looked(p, n)); },
-         {{"metallic_roughness/metallic.packed", is<&Permutation::metallicRoughness, MetallicRoughness::Packed>},
+         {{"metallic_roughness/metallic.packed",
+           is<&Permutation::metallicRoughness, MetallicRoughness::Packed>},
           {"metallic_roughness/metallic.separate", kTextured, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/metallic.factor"}}},
     Slot{kFragment,
          [](P p, N n) { return n.roughness && (n.textured || looked(p, n)); },
-         {{"metallic_roughness/roughness.packed", is<&Permutation::metallicRoughness, MetallicRoughness::Packed>},
+         {{"metallic_roughness/roughness.packed",
+           is<&Permutation::metallicRoughness, MetallicRoughness::Packed>},
           {"metallic_roughness/roughness.separate", kTextured, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/roughness.factor"}}},
     // A packed occlusion waits where the sky is reflected: see below.
@@ -213,12 +225,15 @@ constexpr std::array kSlots = {
 
     Slot{kFragment,
          [](P, N n) { return (n.direct || n.ambient) && !n.reflection; },
-         {{"ambient/irradiance", needs<&Needs::skyLit>}, {"ambient/constant", needs<&Needs::ambient>}, {"ambient/none"}}},
+         {{"ambient/irradiance", needs<&Needs::skyLit>},
+          {"ambient/constant", needs<&Needs::ambient>},
+          {"ambient/none"}}},
     Slot{kFragment, kReflected, {{"reflection/atlas"}}},
     Slot{kFragment,
          [](P, N n) { return n.skyLit && !n.reflection; },
          {{"ambient/diffuse_share", kTextured}, {"ambient/diffuse_share.factors"}}},
-    Slot{kFragment, [](P, N n) { return n.ambient && n.occlusion && !n.reflection; }, {{"occlusion/occlude"}}},
+    Slot{
+        kFragment, [](P, N n) { return n.ambient && n.occlusion && !n.reflection; }, {{"occlusion/occlude"}}},
     Slot{kFragment, kDirect, {{"brdf/sum.reflection", kReflected}, {"brdf/sum"}}},
     Slot{kFragment, [](P, N n) { return n.direct && !n.reflection; }, {{"ambient/sum"}}},
     Slot{kFragment, kTangent, {{"inputs/sun_tangent_space"}}, Each::Sun},
@@ -246,7 +261,7 @@ constexpr std::array kSlots = {
           {"brdf/add_light.reflection", kReflected},
           {"brdf/add_light"}}},
     Slot{kFragment, kReflected, {{"reflection/share"}}},
-    Slot{kFragment, kReflected, {{"reflection/specular", kTextured}, {"reflection/specular.factors"}}},
+    Slot{kFragment, kReflected, {{"reflection/reflection", kTextured}, {"reflection/reflection.factors"}}},
     // Late: while the lookup is waited for, the packed texel takes a register already.
     Slot{kFragment, [](P p, N n) { return packedOcclusion(p, n) && n.reflection; }, {{"occlusion/packed"}}},
     Slot{kFragment, [](P, N n) { return n.reflection && n.occlusion; }, {{"occlusion/occlude.reflection"}}},
@@ -254,11 +269,16 @@ constexpr std::array kSlots = {
     Slot{kFragment, [](P, N n) { return n.direct && n.reflection; }, {{"reflection/sum"}}},
     Slot{kFragment,
          kDirect,
-         {{"lights/sun.tangent_space", kTangent}, {"lights/sun.vertex", lights<LightForm::VertexWorld>}, {"lights/sun"}},
+         {{"lights/sun.tangent_space", kTangent},
+          {"lights/sun.vertex", lights<LightForm::VertexWorld>},
+          {"lights/sun"}},
          Each::Sun},
-    Slot{kFragment, [](P p, N n) { return n.direct && p.punctualLights > 0; }, {{"lights/distance_attenuation"}}},
-    Slot{
-        kFragment, [](P p, N n) { return n.direct && p.punctualLights > 0 && p.spots; }, {{"lights/cone_attenuation"}}},
+    Slot{kFragment,
+         [](P p, N n) { return n.direct && p.punctualLights > 0; },
+         {{"lights/distance_attenuation"}}},
+    Slot{kFragment,
+         [](P p, N n) { return n.direct && p.punctualLights > 0 && p.spots; },
+         {{"lights/cone_attenuation"}}},
     Slot{kFragment, kDirect, {{"lights/punctual"}}, Each::Punctual},
     Slot{kFragment, [](P p, N n) { return n.direct && p.spots; }, {{"lights/punctual.spot"}}, Each::Punctual},
     Slot{kFragment, kDirect, {{"lights/punctual_add"}}, Each::Punctual},
@@ -280,7 +300,8 @@ constexpr std::array kSlots = {
          needs<&Needs::emissive>,
          {{"emissive/factor", is<&Permutation::emissive, Emissive::Factor>},
           {"emissive/texture.linear", [](P, N n) { return !n.decode; }, &Permutation::emissiveUv},
-          {"emissive/texture.approximate_srgb", is<&Permutation::decode, Decode::Fast>, &Permutation::emissiveUv},
+          {"emissive/texture.approximate_srgb", is<&Permutation::decode, Decode::Fast>,
+           &Permutation::emissiveUv},
           {"emissive/texture", always, &Permutation::emissiveUv}}},
 
     Slot{kFragment,
@@ -294,7 +315,8 @@ constexpr std::array kSlots = {
          {{"output/linear_to_srgb", is<&Permutation::output, Output::Srgb>},
           {"output/gamma22", is<&Permutation::output, Output::Pow22>},
           // Not the background's, which it makes dearer.
-          {"output/approximate_linear_to_srgb.vc4", [](P p, N n) { return p.target == Target::Vc4 && n.material; }},
+          {"output/approximate_linear_to_srgb.vc4",
+           [](P p, N n) { return p.target == Target::Vc4 && n.material; }},
           {"output/approximate_linear_to_srgb"}}},
     Slot{kFragment, needs<&Needs::encode>, {{"output/encode"}}},
     Slot{kFragment, is<&Permutation::dither, Dither::Ordered>, {{"output/dither"}}},

@@ -30,11 +30,11 @@ BakedSky makeSky() {
     for (std::size_t i = 0; i < 27; ++i)
         sky.coefficients[i / 3][i % 3] = static_cast<float>(i) - 9.25f;
     sky.sun = Sun{{0.1f, -0.9f, 0.3f}, {1, 0.5f, 0.25f}, 12345};
-    sky.backdrop = {4, 77, {}};
+    sky.skybox = {4, 77, {}};
     for (unsigned face = 0; face < 6; ++face)
-        sky.backdrop.images[face] = pattern(4, 4, face);
-    sky.mirror.atlas = {pattern(2 * kMinSpecularSize, specularHeight(kMinSpecularSize), 7), 66};
-    sky.mirror.lookup = pattern(kLookupWidth, kLookupHeight, 8);
+        sky.skybox.images[face] = pattern(4, 4, face);
+    sky.reflection.atlas = {pattern(2 * kMinReflectionSize, reflectionHeight(kMinReflectionSize), 7), 66};
+    sky.reflection.lookup = pattern(kLookupWidth, kLookupHeight, 8);
     return sky;
 }
 
@@ -68,26 +68,26 @@ TEST(BakedSky, ReadsBackWhatWasWritten) {
     EXPECT_EQ(read->sun->direction, written.sun->direction);
     EXPECT_EQ(read->sun->color, written.sun->color);
     EXPECT_EQ(read->sun->illuminance, written.sun->illuminance);
-    EXPECT_EQ(read->backdrop.size, 4);
-    EXPECT_EQ(read->backdrop.range, 77);
+    EXPECT_EQ(read->skybox.size, 4);
+    EXPECT_EQ(read->skybox.range, 77);
     for (std::size_t face = 0; face < 6; ++face)
-        EXPECT_EQ(read->backdrop.images[face].rgba, written.backdrop.images[face].rgba);
-    EXPECT_EQ(read->mirror.atlas.range, 66);
-    EXPECT_EQ(read->mirror.atlas.image.width, written.mirror.atlas.image.width);
-    EXPECT_EQ(read->mirror.atlas.image.height, written.mirror.atlas.image.height);
-    EXPECT_EQ(read->mirror.atlas.image.rgba, written.mirror.atlas.image.rgba);
-    EXPECT_EQ(read->mirror.lookup.rgba, written.mirror.lookup.rgba);
+        EXPECT_EQ(read->skybox.images[face].rgba, written.skybox.images[face].rgba);
+    EXPECT_EQ(read->reflection.atlas.range, 66);
+    EXPECT_EQ(read->reflection.atlas.image.width, written.reflection.atlas.image.width);
+    EXPECT_EQ(read->reflection.atlas.image.height, written.reflection.atlas.image.height);
+    EXPECT_EQ(read->reflection.atlas.image.rgba, written.reflection.atlas.image.rgba);
+    EXPECT_EQ(read->reflection.lookup.rgba, written.reflection.lookup.rgba);
     EXPECT_EQ(encodeBakedSky(*read), bytes());
 }
 
 TEST(BakedSky, SunAndBackdropMayBeMissing) {
     BakedSky sky = makeSky();
     sky.sun.reset();
-    sky.backdrop = {};
+    sky.skybox = {};
     const auto read = decodeBakedSky(encodeBakedSky(sky));
     ASSERT_TRUE(read) << toString(read.error());
     EXPECT_FALSE(read->sun);
-    EXPECT_EQ(read->backdrop.size, 0);
+    EXPECT_EQ(read->skybox.size, 0);
 }
 
 TEST(BakedSky, RefusesAFileOfAnyOtherLength) {

@@ -78,7 +78,7 @@ glm::dvec3 irradianceByTexels(const Environment& sky, const glm::vec3& normal) {
 }
 
 /// What shade_sky.glsl makes of a texel.
-glm::vec3 decode(const SkyCube& cube, std::size_t face, int x, int y) {
+glm::vec3 decode(const SkyboxMap& cube, std::size_t face, int x, int y) {
     const std::uint8_t* texel = &cube.images[face].rgba[static_cast<std::size_t>(4 * (y * cube.size + x))];
     const glm::vec3 root =
         glm::vec3(texel[0], texel[1], texel[2]) * (static_cast<float>(texel[3]) / 65025.0f);
@@ -202,7 +202,7 @@ TEST(Environment, CoefficientsOfPlainSkies) {
 }
 
 TEST(Environment, CubeHasItsDirections) {
-    const SkyCube cube = encodeSkyCube(makeSky(128, colorOf), 8);
+    const SkyboxMap cube = encodeSkybox(makeSky(128, colorOf), 8);
     EXPECT_EQ(cube.range, kMinSkyRange);
     for (std::size_t face = 0; face < 6; ++face) {
         const glm::vec3 seen = decode(cube, face, 4, 4);
@@ -216,7 +216,7 @@ TEST(Environment, CubeKeepsTheLight) {
     const Environment sky = makeSky(256, [&](const glm::vec3& d) {
         return glm::vec3(0.01f, 1.0f, 100.0f) * (0.5f + 0.5f * glm::dot(d, bright));
     });
-    const SkyCube cube = encodeSkyCube(sky, 32);
+    const SkyboxMap cube = encodeSkybox(sky, 32);
     EXPECT_NEAR(cube.range, 100.0f, 0.1f);
     for (std::size_t face = 0; face < 6; ++face)
         for (int i = 0; i < 32 * 32; ++i) {

@@ -34,10 +34,10 @@ double worstChannel(const glm::vec3& a, const glm::vec3& b) {
 /// tree's leaves are wide, and the edge of a lamp goes through some of them.
 TEST_P(HardSkies, AreConverged) {
     const SkyTree tree(sky);
-    for (int level = 0; level <= kSpecularLevels; ++level) {
-        const Lobe lobe = level == kSpecularLevels
+    for (int level = 0; level <= kReflectionLevels; ++level) {
+        const Lobe lobe = level == kReflectionLevels
                               ? Lobe::ofLambert()
-                              : Lobe::ofMirror(std::exp2(0.5f * static_cast<float>(level - 8)));
+                              : Lobe::ofRoughness(std::exp2(0.5f * static_cast<float>(level - 8)));
         for (const glm::vec3& d : test::directions(500))
             EXPECT_LE(worstChannel(tree.radiance(lobe, d), tree.radiance(lobe, d, SkyTree::kTolerance / 8)),
                       0.5)
@@ -70,14 +70,15 @@ TEST_P(HardSkies, LevelsAreThePlainSum) {
     const SkyTree tree(sky);
     for (const float roughness : {0.5f, 1.0f})
         for (const glm::vec3& d : test::directions(64))
-            EXPECT_LE(worstChannel(tree.radiance(Lobe::ofMirror(roughness), d), plainSum(sky, d, roughness)),
-                      1.5)
+            EXPECT_LE(
+                worstChannel(tree.radiance(Lobe::ofRoughness(roughness), d), plainSum(sky, d, roughness)),
+                1.5)
                 << "roughness " << roughness;
 }
 
 /// As the shader reads it, on the sphere of ../shared/reference, 64 x 64: white Lambert.
 TEST_P(HardSkies, LambertIsRightAndSmooth) {
-    const SpecularAtlas atlas = filterSpecular(sky);
+    const ReflectionAtlas atlas = filterReflection(sky);
     double sum = 0, worst = 0;
     int count = 0;
     for (int i = 0; i < 64 * 64; i += 7)
@@ -105,7 +106,7 @@ TEST_P(HardSkies, LambertIsRightAndSmooth) {
 
 /// A quarter of (1 / alpha)^2 is what the filter between two codes of alpha errs by.
 TEST_P(HardSkies, AlphaHasNoSteps) {
-    const SpecularAtlas atlas = filterSpecular(sky);
+    const ReflectionAtlas atlas = filterReflection(sky);
     EXPECT_LE(atlas.range, std::max(kMinSkyRange, kMaxSkyContrast * 0.75f));
     for (std::size_t i = 3; i < atlas.image.rgba.size(); i += 4)
         ASSERT_GE(atlas.image.rgba[i], 16);
@@ -121,14 +122,14 @@ TEST(SkyTree, TakesCubesToo) {
     const SkyTree one(panorama), other(cube);
     for (const glm::vec3& d : test::directions(100)) {
         EXPECT_LE(worstChannel(one.radiance(Lobe::ofLambert(), d), other.radiance(Lobe::ofLambert(), d)), 1);
-        const Lobe lobe = Lobe::ofMirror(0.4f);
+        const Lobe lobe = Lobe::ofRoughness(0.4f);
         EXPECT_LE(worstChannel(one.radiance(lobe, d), other.radiance(lobe, d)), 2.5);
     }
 }
 
 TEST(SkyTree, ABlackSkyIsBlack) {
     const SkyTree tree({Environment::Layout::Equirect, 4, 2, std::vector<glm::vec3>(8, glm::vec3(0))});
-    EXPECT_EQ(tree.radiance(Lobe::ofMirror(0.1f), {0, 1, 0}), glm::vec3(0));
+    EXPECT_EQ(tree.radiance(Lobe::ofRoughness(0.1f), {0, 1, 0}), glm::vec3(0));
 }
 
 } // namespace

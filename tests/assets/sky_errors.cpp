@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints how far the sky's mirror image is from brute force, as the table of generator/README.md:
+// Prints how far the reflection of a sky is from brute force, as the table of generator/docs/sky.md:
 //   sky_errors ORIENTATIONS SKY.hdr...
 #include <cstdio>
 #include <cstdlib>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints how close to brute force the sky's mirror image could come at N.V 0.2 with other directions, levels
+// Prints how close to brute force the reflection of a sky could come at N.V 0.2 with other directions, levels
 // and shares of irradiance than the shipped ones, as in generator/README.md:
 //   sky_limits ORIENTATIONS SKY.hdr...
 // The three are free at each roughness and found on a grid; the errors are those of the skies' worse one.
@@ -28,7 +28,7 @@ constexpr int kLevels = 17, kShares = 10;
 
 struct Sky {
     Environment light;
-    SpecularAtlas atlas;
+    ReflectionAtlas atlas;
 };
 
 using Errors = std::array<double, 2>; ///< Of the worse metal, and of the black dielectric.
@@ -131,9 +131,9 @@ int main(int count, char** words) {
             std::fprintf(stderr, "%s: %s\n", words[i], light.error().what.c_str());
             return 1;
         }
-        skies.push_back({*light, filterSpecular(*light)});
+        skies.push_back({*light, filterReflection(*light)});
     }
-    const Image lookup = specularLookup();
+    const Image lookup = reflectionLookup();
     std::vector<Errors> metals, black, all, two;
     for (const float roughness : {0.2f, 0.4f, 0.6f, 0.8f, 1.0f}) {
         std::vector<Choices> byBend(kBends.size(), Choices(kLevels * kShares));

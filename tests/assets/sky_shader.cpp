@@ -31,16 +31,16 @@ glm::vec4 sample(const Image& image, const glm::vec2& uv) {
                     glm::mix(texel(0, 1), texel(1, 1), weight.x), weight.y);
 }
 
-glm::vec3 skyLight(const SpecularAtlas& atlas, const glm::vec3& n) {
-    const glm::vec2 p = glm::vec2(n.x, n.z) * (1 - 0.5f * std::abs(n.y)) * kSpecularScale;
+glm::vec3 skyLight(const ReflectionAtlas& atlas, const glm::vec3& n) {
+    const glm::vec2 p = glm::vec2(n.x, n.z) * (1 - 0.5f * std::abs(n.y)) * kAtlasInner;
     const glm::vec4 texel = sample(atlas.image, {p.x / 16 + (n.y < 0 ? 0.9375f : 0.8125f), p.y / 16 + 0.75f});
     const glm::vec3 root = glm::vec3(texel) * texel.a;
     return root * root * atlas.range;
 }
 
-glm::vec3 skyThroughLobe(const SpecularAtlas& atlas, const glm::vec3& d, float level) {
+glm::vec3 skyThroughLobe(const ReflectionAtlas& atlas, const glm::vec3& d, float level) {
     const glm::vec2 p =
-        glm::vec2(d.x, d.z) / (std::max(std::abs(d.x), std::abs(d.z)) + std::abs(d.y)) * kSpecularScale;
+        glm::vec2(d.x, d.z) / (std::max(std::abs(d.x), std::abs(d.z)) + std::abs(d.y)) * kAtlasInner;
     const auto root = [&](float index) {
         const float size = std::pow(kRatio, index), top = (1 - size) / (1 - kRatio);
         const glm::vec2 uv(size * (0.25f * p.x + (d.y < 0 ? 0.75f : 0.25f)),
@@ -67,9 +67,9 @@ glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const
                             float roughness, const SkyMaterial& material) {
     const float nDotV = std::max(glm::dot(n, v), 1e-4f);
     const glm::vec4 look = sample(sky.lookup, {nDotV, roughness});
-    const float bend = specularBend(roughness, material.metallic);
+    const float bend = reflectionBend(roughness, material.metallic);
     const glm::vec3 toSky = n * (2 * nDotV + bend * (1 - nDotV)) - v;
-    const glm::vec3 mirrored = glm::mix(skyThroughLobe(sky.atlas, toSky, (kSpecularLevels - 1) * look.b),
+    const glm::vec3 mirrored = glm::mix(skyThroughLobe(sky.atlas, toSky, (kReflectionLevels - 1) * look.b),
                                         skyLight(sky.atlas, n), look.a);
     return mirrored * (material.f0() * look.r + look.g);
 }
@@ -90,7 +90,7 @@ double meanDifference(const glm::vec3& a, const glm::vec3& b) {
 double goal(const SkyError& error) { return error.nDotV > 0.5f ? 3 : 6; }
 
 std::vector<SkyError> skyErrors(const Environment& sky, int orientations) {
-    const ReflectionMaps mirror{filterSpecular(sky), specularLookup()};
+    const ReflectionMaps reflection{filterReflection(sky), reflectionLookup()};
     const std::vector<SkyMaterial>& materials = skyMaterials();
     const std::vector<glm::vec3> normals = directions(orientations);
     std::vector<SkyError> errors;
@@ -101,14 +101,14 @@ std::vector<SkyError> skyErrors(const Environment& sky, int orientations) {
                 const Frame frame(normals[i], static_cast<float>(i));
                 const glm::vec3 v = frame.toWorld({std::sqrt(1 - nDotV * nDotV), 0, nDotV});
                 const Reflected truth = reflected(sky, frame, nDotV, roughness);
-                const glm::vec3 irradiance = skyLight(mirror.atlas, frame.z);
+                const glm::vec3 irradiance = skyLight(reflection.atlas, frame.z);
                 for (std::size_t m = 0; m < materials.size(); ++m) {
                     const SkyMaterial& material = materials[m];
                     const glm::vec3 scattered =
                         0.96f * (1 - material.metallic) * material.baseColor * irradiance;
-                    sums[m] +=
-                        meanDifference(scattered + reflectedByShader(mirror, frame.z, v, roughness, material),
-                                       scattered + material.f0() * truth.byF0 + truth.besides);
+                    sums[m] += meanDifference(
+                        scattered + reflectedByShader(reflection, frame.z, v, roughness, material),
+                        scattered + material.f0() * truth.byF0 + truth.besides);
                 }
             }
             for (std::size_t m = 0; m < materials.size(); ++m)

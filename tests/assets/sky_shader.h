@@ -18,10 +18,10 @@ namespace franken::test {
 glm::vec4 sample(const Image& image, const glm::vec2& uv);
 
 /// skyLight() of sky_irradiance.glsl. n: unit.
-glm::vec3 skyLight(const SpecularAtlas& atlas, const glm::vec3& n);
+glm::vec3 skyLight(const ReflectionAtlas& atlas, const glm::vec3& n);
 
 /// reflectedSky() of reflection/atlas.glsl. d: any length. level: 0-8.
-glm::vec3 skyThroughLobe(const SpecularAtlas& atlas, const glm::vec3& d, float level);
+glm::vec3 skyThroughLobe(const ReflectionAtlas& atlas, const glm::vec3& d, float level);
 
 /// As glTF has it.
 struct SkyMaterial {
@@ -35,9 +35,9 @@ struct SkyMaterial {
 /// A coloured and a white metal, a grey dielectric, and a black one, which shows the specular part alone.
 const std::vector<SkyMaterial>& skyMaterials();
 
-/// sky_specular.glsl. n, v: unit, v towards the eye.
-glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const glm::vec3& v, float roughness,
-                            const SkyMaterial& material);
+/// reflection/reflection.glsl. n, v: unit, v towards the eye.
+glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const glm::vec3& v,
+                            float roughness, const SkyMaterial& material);
 
 /// sRGB codes, 0-255, not rounded.
 glm::vec3 codes(const glm::vec3& color);

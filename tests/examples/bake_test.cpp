@@ -31,11 +31,11 @@ protected:
 
 TEST_F(Bake, MakesOfASkyWhatTheRuntimeReads) {
     writeSky("flat.hdr");
-    ASSERT_EQ(run("flat.hdr --sun --backdrop 16"), 0);
+    ASSERT_EQ(run("flat.hdr --sun --skybox-size 16"), 0);
     const auto baked = loadSky(m_folder / "flat.sky");
     ASSERT_TRUE(baked) << toString(baked.error());
-    EXPECT_EQ(baked->backdrop.size, 16);
-    EXPECT_EQ(baked->mirror.atlas.image.width, 2 * kSpecularSize);
+    EXPECT_EQ(baked->skybox.size, 16);
+    EXPECT_EQ(baked->reflection.atlas.image.width, 2 * kReflectionSize);
     ASSERT_TRUE(baked->sun);
     EXPECT_GT(baked->sun->direction[2], 0.5f) << "it shines from ahead";
     EXPECT_LT(baked->sun->direction[1], 0) << "and from above";
@@ -45,7 +45,7 @@ TEST_F(Bake, MakesOfASkyWhatTheRuntimeReads) {
                     3.5449f * (std::array{2.0f, 1.0f, 0.5f}[channel] + 32 * 4.1f / 1560), 0.02f);
 
     // The same as without the file.
-    const auto direct = loadSky(m_folder / "flat.hdr", {.sun = true, .backdropSize = 16});
+    const auto direct = loadSky(m_folder / "flat.hdr", {.sun = true, .skyboxSize = 16});
     ASSERT_TRUE(direct);
     EXPECT_EQ(encodeBakedSky(*direct), encodeBakedSky(*baked));
 }
@@ -71,11 +71,11 @@ TEST_F(Bake, ExitCodesTellWhoseFaultItIs) {
     EXPECT_EQ(run("--help"), 0);
     EXPECT_EQ(run(""), 2);
     EXPECT_EQ(run("flat.hdr --size 100"), 2);
-    EXPECT_EQ(run("flat.hdr --backdrop 4096"), 2);
+    EXPECT_EQ(run("flat.hdr --skybox-size 4096"), 2);
     EXPECT_EQ(run("missing.hdr"), 3);
     std::ofstream(m_folder / "broken.hdr") << "#?RADIANCE";
     EXPECT_EQ(run("broken.hdr"), 3);
-    EXPECT_EQ(run("flat.hdr --backdrop 0 -o no/such/folder.sky"), 4);
+    EXPECT_EQ(run("flat.hdr --skybox-size 0 -o no/such/folder.sky"), 4);
 }
 
 TEST_F(Bake, DestroysNeitherItsSourceNorAGoodSky) {
@@ -85,9 +85,9 @@ TEST_F(Bake, DestroysNeitherItsSourceNorAGoodSky) {
     EXPECT_EQ(run("flat.hdr -o flat.hdr"), 2);
     EXPECT_EQ(run("flat.hdr -o link.hdr"), 2);
     EXPECT_EQ(readText(m_folder / "flat.hdr"), source);
-    ASSERT_EQ(run("flat.hdr --backdrop 16"), 0);
+    ASSERT_EQ(run("flat.hdr --skybox-size 16"), 0);
     const std::string good = readText(m_folder / "flat.sky");
-    const Outcome full = runIn(m_folder, "trap '' XFSZ; ulimit -f 8; " BAKE " flat.hdr --backdrop 32");
+    const Outcome full = runIn(m_folder, "trap '' XFSZ; ulimit -f 8; " BAKE " flat.hdr --skybox-size 32");
     EXPECT_EQ(full.code, 4) << full.err;
     EXPECT_EQ(readText(m_folder / "flat.sky"), good);
     std::size_t files = 0;
@@ -98,7 +98,7 @@ TEST_F(Bake, DestroysNeitherItsSourceNorAGoodSky) {
 
 TEST_F(Bake, ABakedSkyIsNotBakedAgain) {
     writeSky("flat.hdr");
-    ASSERT_EQ(run("flat.hdr --backdrop 16"), 0);
+    ASSERT_EQ(run("flat.hdr --skybox-size 16"), 0);
     const Outcome again = runIn(m_folder, BAKE " flat.sky -o again.sky");
     EXPECT_EQ(again.code, 3);
     EXPECT_NE(again.err.find("it is baked already"), std::string::npos) << again.err;

@@ -192,10 +192,10 @@ void writeSky(const fs::path& file, const Float3& radiance) {
         code[channel] = static_cast<std::uint8_t>(std::lround(255 * std::sqrt(radiance[channel] / 64)));
         sky.coefficients[0][channel] = 3.5449f * radiance[channel]; // 2 sqrt(pi)
     }
-    sky.backdrop = {.size = 1, .range = 64, .images = {}};
-    sky.backdrop.images.fill(filled(1, 1, code));
-    sky.mirror.atlas = {filled(2 * kMinSpecularSize, specularHeight(kMinSpecularSize), code), 64};
-    sky.mirror.lookup = filled(kLookupWidth, kLookupHeight, {255, 0, 0, 0}); // All of it is reflected.
+    sky.skybox = {.size = 1, .range = 64, .images = {}};
+    sky.skybox.images.fill(filled(1, 1, code));
+    sky.reflection.atlas = {filled(2 * kMinReflectionSize, reflectionHeight(kMinReflectionSize), code), 64};
+    sky.reflection.lookup = filled(kLookupWidth, kLookupHeight, {255, 0, 0, 0}); // All of it is reflected.
     const std::vector<std::uint8_t> bytes = encodeBakedSky(sky);
     std::ofstream(file, std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

@@ -165,7 +165,7 @@ TEST_P(RefusalTest, ATargetThatCannotBeReadIsTakenOnTrust) {
 
 TEST_P(RefusalTest, ASkyThatIsRefusedLeavesTheBackground) {
     Shot shot = richShot();
-    SkyCube cube{.size = 1, .range = 64, .images = {}};
+    SkyboxMap cube{.size = 1, .range = 64, .images = {}};
     cube.images.fill({"", 1, 1, {255, 255, 255, 64}});
     const std::vector<Permutation> skies = {*skyPermutation(shot.look)};
     Renderer renderer(refusingDriver(gl(), Refusal::Draw, skies));

@@ -38,7 +38,7 @@ constexpr Item kItems[] = {
     {"second texture coordinates", "basecolor.normal.normal-uv1" LIGHTS, BASE},
     {"ambient colour", BASE, "basecolor.normal+sun1+decode-fast+srgb-fast"},
     {"sky (SH) instead of the ambient colour", "basecolor.normal+sh+sun1+decode-fast+srgb-fast", BASE},
-    {"the sky in rough mirrors as well", "basecolor.normal+sh+reflection+sun1+decode-fast+srgb-fast",
+    {"reflection of the sky as well", "basecolor.normal+sh+reflection+sun1+decode-fast+srgb-fast",
      "basecolor.normal+sh+sun1+decode-fast+srgb-fast"},
     {"1st sun", BASE, "basecolor.normal+ambient+decode-fast+srgb-fast"},
     {"2nd sun", "basecolor.normal+ambient+sun2+decode-fast+srgb-fast", BASE},

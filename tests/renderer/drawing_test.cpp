@@ -99,7 +99,7 @@ TEST_P(DrawingTest, OrderIsByProgramMaterialAndMesh) {
 TEST_P(DrawingTest, NoStateIsSetTwiceAndNothingIsAskedFor) {
     const Shot shot = manyBalls();
     const std::unique_ptr<Renderer> renderer = warm(shot);
-    const SkyCube cube = encodeSkyCube({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 4);
+    const SkyboxMap cube = encodeSkybox({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 4);
     ASSERT_TRUE(renderer->setSkybox(&cube));
     ASSERT_TRUE(renderer->prepare());
     StateFollower follower;

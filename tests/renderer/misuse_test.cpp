@@ -39,8 +39,8 @@ Image white(int width, int height) {
     return {"white", width, height, std::vector<std::uint8_t>(std::size_t(4) * width * height, 255)};
 }
 
-SkyCube whiteCube(int size) {
-    SkyCube cube{.size = size, .range = 1, .images = {}};
+SkyboxMap whiteCube(int size) {
+    SkyboxMap cube{.size = size, .range = 1, .images = {}};
     cube.images.fill(white(size, size));
     return cube;
 }
@@ -250,23 +250,23 @@ const std::vector<Misuse> kPictures = {
      }},
     {"SkyboxWithoutFaces", "renderer.image",
      [](Stage& stage) {
-         const SkyCube cube{.size = 16, .range = 1, .images = {}};
+         const SkyboxMap cube{.size = 16, .range = 1, .images = {}};
          return stage.renderer.setSkybox(&cube);
      }},
     {"SkyboxOfTwoSizes", "renderer.sky",
      [](Stage& stage) {
-         SkyCube cube = whiteCube(16);
+         SkyboxMap cube = whiteCube(16);
          cube.images[4] = white(8, 8);
          return stage.renderer.setSkybox(&cube);
      }},
     {"SkyboxTooLarge", "renderer.sky",
      [](Stage& stage) {
-         const SkyCube cube = whiteCube(5000);
+         const SkyboxMap cube = whiteCube(5000);
          return stage.renderer.setSkybox(&cube);
      }},
     {"SkyboxOfNoRange", "renderer.sky",
      [](Stage& stage) {
-         SkyCube cube = whiteCube(16);
+         SkyboxMap cube = whiteCube(16);
          cube.range = kNan;
          return stage.renderer.setSkybox(&cube);
      }},
@@ -365,8 +365,8 @@ TEST(Exceptions, OfSourcesAreErrors) {
     const Result<ModelId> model = stage.renderer.add(ball(), []() -> Result<Scene> { explode(); });
     const Result<PictureId> picture =
         stage.renderer.addPicture(white(2, 2), []() -> Result<Image> { explode(); });
-    const SkyCube cube = whiteCube(16);
-    EXPECT_TRUE(stage.renderer.setSkybox(&cube, []() -> Result<SkyCube> { throw 7; }));
+    const SkyboxMap cube = whiteCube(16);
+    EXPECT_TRUE(stage.renderer.setSkybox(&cube, []() -> Result<SkyboxMap> { throw 7; }));
     stage.renderer.memory().setBudget(0);
     EXPECT_TRUE(stage.renderer.memory().evictAll());
     stage.renderer.memory().setBudget(GpuMemory::kUnlimited);
@@ -408,8 +408,8 @@ std::vector<std::string> runOn(const Gl& gl) {
     Renderer renderer(gl);
     renderer.setLighting(sunny(1, 2));
     note(renderer.load(ball(), [] { return Result<Scene>(ball()); }));
-    const SkyCube cube = whiteCube(4);
-    note(renderer.setSkybox(&cube, [] { return Result<SkyCube>(whiteCube(4)); }));
+    const SkyboxMap cube = whiteCube(4);
+    note(renderer.setSkybox(&cube, [] { return Result<SkyboxMap>(whiteCube(4)); }));
     const ReflectionMaps maps{.atlas = {.image = white(8, 8), .range = 1}, .lookup = white(4, 4)};
     note(renderer.setReflection(&maps));
     if (const Result<std::vector<ProgramUse>> uses = usesOf(ball(), sunny(1, 2), {}))

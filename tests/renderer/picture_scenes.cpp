@@ -248,7 +248,7 @@ Shot underSky() {
     shot.lighting.suns.clear();
     shot.lighting.ambient = Ambient::Sky;
     shot.lighting.sky = skyCoefficients(sky);
-    shot.backdrop = encodeSkyCube(sky, 64);
+    shot.skybox = encodeSkybox(sky, 64);
     shot.look.toneMap = ToneMap::Neutral;
     return shot;
 }

@@ -141,7 +141,7 @@ TEST_P(ResidencyTest, OverTheBudgetIsAnErrorBeforeTheDriversOwn) {
     EXPECT_EQ(renderer.memory().used(), kBallBytes);
     ASSERT_TRUE(renderer.load(green())) << "load() replaces the model, and so has room";
     EXPECT_EQ(renderer.memory().used(), kBallBytes);
-    const SkyCube cube = encodeSkyCube({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 64);
+    const SkyboxMap cube = encodeSkybox({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 64);
     EXPECT_EQ(renderer.setSkybox(&cube).error().code, "memory.budget");
 }
 
@@ -158,9 +158,9 @@ TEST_P(ResidencyTest, TheDriversOwnErrorIsOneToo) {
 }
 
 TEST_P(ResidencyTest, ALostContextIsRebuiltFromItsSources) {
-    const SkyCube cube = encodeSkyCube({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 16);
+    const SkyboxMap cube = encodeSkybox({Environment::Layout::Equirect, 2, 1, {{1, 1, 1}, {0, 1, 1}}}, 16);
     const auto grey = [](glm::vec2 uv) { return glm::vec4(uv, 0.5f, 1); };
-    const ReflectionMaps mirror = {{paint(32, grey), 1}, paint(16, grey)};
+    const ReflectionMaps reflection = {{paint(32, grey), 1}, paint(16, grey)};
     Renderer renderer(recordingGl(gl()));
     Lighting lighting = sunny();
     lighting.ambient = Ambient::Sky;
@@ -169,8 +169,8 @@ TEST_P(ResidencyTest, ALostContextIsRebuiltFromItsSources) {
     ASSERT_TRUE(renderer.load(red(), kRedSource));
     const Result<ModelId> second = renderer.add(green(), kGreenSource);
     ASSERT_TRUE(second);
-    ASSERT_TRUE(renderer.setSkybox(&cube, [&] { return Result<SkyCube>(cube); }));
-    ASSERT_TRUE(renderer.setReflection(&mirror, [&] { return Result<ReflectionMaps>(mirror); }));
+    ASSERT_TRUE(renderer.setSkybox(&cube, [&] { return Result<SkyboxMap>(cube); }));
+    ASSERT_TRUE(renderer.setReflection(&reflection, [&] { return Result<ReflectionMaps>(reflection); }));
     const Picture before = drawn(renderer);
     const std::size_t bytes = renderer.memory().used();
 
@@ -198,7 +198,7 @@ TEST_P(ResidencyTest, ALostContextIsRebuiltFromItsSources) {
     neverLost.setLighting(lighting);
     ASSERT_TRUE(neverLost.load(green()));
     ASSERT_TRUE(neverLost.setSkybox(&cube));
-    ASSERT_TRUE(neverLost.setReflection(&mirror));
+    ASSERT_TRUE(neverLost.setReflection(&reflection));
     EXPECT_EQ(compareLit(other, drawn(neverLost)).max(), 0);
 }
 

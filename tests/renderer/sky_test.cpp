@@ -17,7 +17,7 @@ constexpr double kTanHalfFov = 0.36397023426620234; // Of 20 degrees.
 /// The venice sky with all that is made of it, once for all tests.
 struct Sky {
     SkyCoefficients coefficients;
-    ReflectionMaps mirror;
+    ReflectionMaps reflection;
 };
 
 const Sky* venice() {
@@ -27,7 +27,7 @@ const Sky* venice() {
             file.empty() ? Error{"test.missing", "", "", ""} : loadEnvironment(file);
         if (!loaded)
             return std::nullopt;
-        return Sky{skyCoefficients(*loaded), {filterSpecular(*loaded), specularLookup()}};
+        return Sky{skyCoefficients(*loaded), {filterReflection(*loaded), reflectionLookup()}};
     }();
     return sky ? &*sky : nullptr;
 }
@@ -36,7 +36,7 @@ void lightBy(const Sky& sky, Shot& shot) {
     shot.lighting.ambient = Ambient::Sky;
     shot.lighting.sky = sky.coefficients;
     shot.lighting.reflection = Reflection::Lookup;
-    shot.mirror = sky.mirror;
+    shot.reflection = sky.reflection;
 }
 
 /// A unit sphere before a camera at (0, 0, 4) that looks along -Z.
@@ -156,7 +156,7 @@ TEST_P(HardSkySpheres, AreAsTheyShouldBe) {
             GTEST_SKIP() << "needs ../shared/reference/skies beside the sources";
         const auto loaded = loadEnvironment(file);
         ASSERT_TRUE(loaded);
-        const Sky sky{skyCoefficients(*loaded), {filterSpecular(*loaded), specularLookup()}};
+        const Sky sky{skyCoefficients(*loaded), {filterReflection(*loaded), reflectionLookup()}};
         EXPECT_LE(differenceOf(sky, row.sky, "lambert0.8", Reflection::Lookup).mean, 1.5);
         EXPECT_LE(differenceOf(sky, row.sky, "lambert0.8", Reflection::None).mean, row.coefficients);
         for (const char* dielectric : {"dielectric_r0.2", "dielectric_r0.6"})

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // soak osmesa|egl [SECONDS]: a kiosk's life at 15 frames a second, two hours unless told otherwise. Models
-// are swapped, evicted and read from their file again, skies come and go, and the context is lost every half minute.
-// A line a minute says what the process holds. Exit code 1: memory or descriptors grow.
+// are swapped, evicted and read from their file again, skies come and go, and the context is lost every half
+// minute. A line a minute says what the process holds. Exit code 1: memory or descriptors grow.
 #include "memory_use.h"
 #include "support/draw_scene.h"
 #include "support/shapes.h"
@@ -46,7 +46,8 @@ struct Counts {
     std::exit(error.code == "surface.not-installed" ? 77 : 1);
 }
 
-template <typename T> T require(const char* what, Result<T> result) {
+template<typename T>
+T require(const char* what, Result<T> result) {
     if (!result)
         fail(what, result.error());
     return *std::move(result);
@@ -99,7 +100,8 @@ private:
         lighting.ambient = visible ? Ambient::Sky : Ambient::Color;
         lighting.sky[0] = {1, 1, 1};
         m_renderer.setLighting(lighting);
-        require("sky", m_renderer.setSkybox(visible ? &m_sky : nullptr, [this] { return Result<SkyCube>(m_sky); }));
+        require("sky", m_renderer.setSkybox(visible ? &m_sky : nullptr,
+                                            [this] { return Result<SkyboxMap>(m_sky); }));
     }
 
     void loseContext() {
@@ -112,17 +114,24 @@ private:
     platform::Backend m_backend;
     Offscreen m_offscreen;
     Renderer m_renderer;
-    std::vector<SceneSource> m_sources{urn, [] { return ball({1, 0, 0, 1}); }, [] { return ball({0, 0, 1, 1}); }};
+    std::vector<SceneSource> m_sources{urn,
+                                       [] {
+                                           return ball({1, 0, 0, 1});
+                                       },
+                                       [] {
+                                           return ball({0, 0, 1, 1});
+                                       }};
     std::vector<ModelId> m_models;
     std::vector<Camera> m_cameras;
-    SkyCube m_sky{.size = 1, .range = 64, .images = {}};
+    SkyboxMap m_sky{.size = 1, .range = 64, .images = {}};
     std::size_t m_shown = 0;
 };
 
 void print(const MemoryUse& use, const Counts& counts) {
-    std::printf("%6.0f s  %7d frames  %5d swaps  %4d losses  RSS %7zu KiB  heap %7zu KiB  C++ %7zu KiB  %3zu files\n",
-                use.seconds, counts.frames, counts.swaps, counts.losses, use.resident / 1024, use.heap / 1024,
-                use.cpp / 1024, use.descriptors);
+    std::printf(
+        "%6.0f s  %7d frames  %5d swaps  %4d losses  RSS %7zu KiB  heap %7zu KiB  C++ %7zu KiB  %3zu files\n",
+        use.seconds, counts.frames, counts.swaps, counts.losses, use.resident / 1024, use.heap / 1024,
+        use.cpp / 1024, use.descriptors);
     std::fflush(stdout);
 }
 

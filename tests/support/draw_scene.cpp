@@ -25,8 +25,8 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot) 
     const auto [width, height] = surface.size();
     Renderer renderer(gl, [](LogLevel, std::string_view message) { std::cout << message << "\n"; });
     EXPECT_TRUE(renderer.load(shot.scene));
-    EXPECT_TRUE(renderer.setSkybox(shot.backdrop ? &*shot.backdrop : nullptr));
-    EXPECT_TRUE(renderer.setReflection(shot.mirror ? &*shot.mirror : nullptr));
+    EXPECT_TRUE(renderer.setSkybox(shot.skybox ? &*shot.skybox : nullptr));
+    EXPECT_TRUE(renderer.setReflection(shot.reflection ? &*shot.reflection : nullptr));
     renderer.setLighting(shot.lighting);
     renderer.setLook(shot.look);
     const Result<void> drawn = renderer.draw(viewpointOf(shot.camera, static_cast<double>(width) / height),

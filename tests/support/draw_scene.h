@@ -16,8 +16,8 @@ struct Shot {
     Camera camera;
     Lighting lighting;
     Look look = {};
-    std::optional<SkyCube> backdrop = {};
-    std::optional<ReflectionMaps> mirror = {};
+    std::optional<SkyboxMap> skybox = {};
+    std::optional<ReflectionMaps> reflection = {};
     Float3 background{0, 0, 0};
 };
 

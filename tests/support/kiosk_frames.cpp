@@ -86,7 +86,7 @@ std::vector<ProgramUse> KioskFrames::uses() const {
                 const Result<std::vector<ProgramUse>> uses = usesOf(scene, lighting, look);
                 all.insert(all.end(), uses->begin(), uses->end());
             }
-        all.push_back(*skyUse(look));
+        all.push_back(*skyboxUse(look));
     }
     return all;
 }

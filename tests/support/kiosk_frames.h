@@ -7,7 +7,7 @@
 
 namespace franken::test {
 
-/// The life of a kiosk in short: models change, lights go on and off, the backdrop comes and goes, the
+/// The life of a kiosk in short: models change, lights go on and off, the skybox comes and goes, the
 /// surface is resized. All that a run will need is known before: uses().
 class KioskFrames {
 public:
@@ -27,7 +27,7 @@ private:
     std::vector<Scene> m_scenes;
     std::vector<Lighting> m_lightings;
     std::vector<ModelId> m_models;
-    SkyCube m_sky;
+    SkyboxMap m_sky;
 };
 
 } // namespace franken::test

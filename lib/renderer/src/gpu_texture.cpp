@@ -104,7 +104,7 @@ GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
     return name;
 }
 
-Result<GpuTexture> uploadCube(Device& device, const SkyCube& cube) {
+Result<GpuTexture> uploadCube(Device& device, const SkyboxMap& cube) {
     for (const Image& face : cube.images)
         if (Result<void> checked = check(face); !checked)
             return checked.error();
@@ -114,7 +114,7 @@ Result<GpuTexture> uploadCube(Device& device, const SkyCube& cube) {
                          "a face of the sky is " + std::to_string(face.width) + "x" +
                              std::to_string(face.height) + ", of a cube of " + std::to_string(cube.size) +
                              ", and the GPU takes up to " + std::to_string(device.capabilities.maxCubeSize),
-                         "make it with encodeSkyCube(), in a size that the GPU takes"};
+                         "make it with encodeSkybox(), in a size that the GPU takes"};
     Result<MemoryLease> lease = device.memory.reserve(
         MemoryUse::Textures, cube.images.size() * textureBytes({cube.size, cube.size}, false));
     if (!lease)

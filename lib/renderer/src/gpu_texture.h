@@ -45,6 +45,6 @@ GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba);
 
 /// Fails as uploadTexture() does, and with "renderer.sky" for faces of different sizes, or larger than the
 /// GPU takes.
-Result<GpuTexture> uploadCube(Device& device, const SkyCube& cube);
+Result<GpuTexture> uploadCube(Device& device, const SkyboxMap& cube);
 
 } // namespace franken

@@ -37,7 +37,7 @@ Result<std::vector<ProgramUse>> usesOf(const Scene& scene, const Lighting& light
     return uses;
 }
 
-Result<ProgramUse> skyUse(const Look& look) {
+Result<ProgramUse> skyboxUse(const Look& look) {
     const Result<Permutation> permutation = skyPermutation(look);
     if (!permutation)
         return permutation.error();

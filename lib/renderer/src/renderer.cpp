@@ -116,7 +116,7 @@ Result<void> Renderer::load(const Scene& scene, SceneSource source) {
     return m_state->call("load()", [&] { return m_state->models.load(scene, std::move(source)); });
 }
 
-Result<void> Renderer::setSkybox(const SkyCube* cube, SkyboxSource source) {
+Result<void> Renderer::setSkybox(const SkyboxMap* cube, SkyboxSource source) {
     m_state->frame.forgetPrograms();
     return m_state->call("setSkybox()", [&] { return m_state->skybox.set(cube, std::move(source)); });
 }

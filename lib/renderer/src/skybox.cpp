@@ -12,14 +12,14 @@
 
 namespace franken {
 
-Result<void> Skybox::set(const SkyCube* cube, SkyboxSource source) {
+Result<void> Skybox::set(const SkyboxMap* cube, SkyboxSource source) {
     lost();
     m_device.state.invalidate();
     m_source = std::move(source);
     return cube == nullptr ? Result<void>() : upload(*cube);
 }
 
-Result<void> Skybox::upload(const SkyCube& cube) {
+Result<void> Skybox::upload(const SkyboxMap& cube) {
     if (Result<void> checked = checkRange(cube.range); !checked)
         return checked;
     Result<GpuTexture> texture = checkedUpload(m_device, [&] { return uploadCube(m_device, cube); });
@@ -56,7 +56,7 @@ void Skybox::lost() {
 Result<void> Skybox::restore() {
     if (!m_source)
         return {};
-    const Result<SkyCube> cube = guarded("the source of the skybox", m_source);
+    const Result<SkyboxMap> cube = guarded("the source of the skybox", m_source);
     return cube ? upload(*cube) : cube.error();
 }
 

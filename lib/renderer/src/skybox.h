@@ -13,7 +13,7 @@ public:
     explicit Skybox(Device& device) : m_device(device) {}
 
     /// Renderer::setSkybox()
-    Result<void> set(const SkyCube* cube, SkyboxSource source);
+    Result<void> set(const SkyboxMap* cube, SkyboxSource source);
 
     bool isShown() const { return static_cast<bool>(m_texture.texture); }
     /// The largest radiance that a texel can hold.
@@ -25,7 +25,7 @@ public:
     Result<void> restore() override;
 
 private:
-    Result<void> upload(const SkyCube& cube);
+    Result<void> upload(const SkyboxMap& cube);
 
     Device& m_device;
     GpuTexture m_texture;

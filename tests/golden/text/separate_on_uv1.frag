@@ -81,7 +81,7 @@ float specularLobe(Angles angles, float nDotV, Surface surface) {
   return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
 Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha = r * r;

@@ -229,7 +229,7 @@ void main() {
   View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
 
   // Bent towards N the more, the rougher the surface and the lower the eye, and a metal's more than a dielectric's
-  // (specularBend in pack.h).
+  // (reflectionBend in pack.h).
   float alpha = roughness * roughness;
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, roughness));
   float bend = (metallic + 0.6) * alpha;

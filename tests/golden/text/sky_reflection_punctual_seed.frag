@@ -115,7 +115,7 @@ float specularLobe(Angles angles, float nDotV, Surface surface) {
   return (angles.h2 * angles.h2) * (surface.gain * reciprocal(denominator));
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
 Surface surfaceOf(vec3 base, float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha = r * r;
@@ -240,7 +240,7 @@ void main() {
   View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
 
   // Bent towards N the more, the rougher the surface and the lower the eye, and a metal's more than a dielectric's
-  // (specularBend in pack.h).
+  // (reflectionBend in pack.h).
   float alpha = roughness * roughness;
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, roughness));
   float bend = (metallic + 0.6) * alpha;

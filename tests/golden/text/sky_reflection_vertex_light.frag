@@ -214,7 +214,7 @@ void main() {
   View view = View(normal, vToCamera, nDotV, dot(vToCamera, vToCamera) + 1.000002);
 
   // Bent towards N the more, the rougher the surface and the lower the eye: 2 N.V + bend (1 - N.V) of N
-  // (specularBend in pack.h).
+  // (reflectionBend in pack.h).
   vec3 toSky = view.normal * (uReflectionLobe.z * view.nDotV + uReflectionLobe.y) - view.toCamera;
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, uReflectionLobe.x));
   vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);

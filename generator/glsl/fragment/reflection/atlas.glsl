@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sky through lobes of rising width, in one texture: levels of two squares each, RGBM of the radiance's root
-// (SpecularAtlas in reflection.h).
+// (ReflectionAtlas in reflection.h).
 //! declarations
 uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
 uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Metalness and roughness by texture.
 //! functions
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's mirror image has no size.
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
 Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha = r * r;

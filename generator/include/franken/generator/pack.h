@@ -15,19 +15,19 @@ namespace FRANKEN_API franken {
 // engine and a web page call the same functions and so feed a program the same numbers. All blocks are
 // plain floats; fieldOffset() says where a uniform's value lies in its block.
 
-/// Roughness is kept above this, or the lobe would be 0/0 at 0: alpha^2 = 1e-12. A sun's mirror image on a
+/// Roughness is kept above this, or the lobe would be 0/0 at 0: alpha^2 = 1e-12. A sun's highlight on a
 /// smoother surface has no size, and is not seen, as in glTF's own formulas.
 inline constexpr float kMinRoughness = 0.001f;
 
-/// The levels of the sky through lobes of rising width. Level i holds the roughness 2^((i - 8) / 2): 0.0625,
-/// 0.088 ... 0.707, 1; smoother surfaces show the first.
-inline constexpr int kSpecularLevels = 9;
+/// The levels of a ReflectionAtlas, prefiltered for rising roughness. Level i holds the roughness 2^((i - 8)
+/// / 2): 0.0625, 0.088 ... 0.707, 1; smoother surfaces show the first.
+inline constexpr int kReflectionLevels = 9;
 
-/// How far a rough surface's mirror image of the sky is bent towards N: it lies in the direction
+/// How far the direction in which a rough surface reflects the sky is bent towards N: the direction is
 /// (2 N.V + bend (1 - N.V)) N - V. A dielectric's is bent less than a metal's: at an angle it shows mostly
 /// what Fresnel's term adds, which is light off facets that face away from the eye. Fitted to brute force
 /// (generator/docs/sky.md). roughness, metallic: 0-1.
-float specularBend(float roughness, float metallic);
+float reflectionBend(float roughness, float metallic);
 
 /// A glTF material's numbers, as they stand in the file; colours linear.
 struct MaterialFactors {
@@ -49,7 +49,7 @@ struct MaterialBlock {
     Float4 reflectance; ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
                         ///< 0.04 (1 - m)
     Float3 lobe;        ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
-    Float3 reflectionLobe; ///< Roughness; specularBend(), and 2 less that
+    Float3 reflectionLobe; ///< Roughness; reflectionBend(), and 2 less that
     Float2 occlusion;      ///< strength, 1 - strength
     Float3 emissive;
     std::array<Float3, 3> emissiveCubic; ///< As baseColorCubic

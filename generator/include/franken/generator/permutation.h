@@ -77,10 +77,10 @@ enum class Ambient : std::uint8_t {
     Sky,   ///< Irradiance of a sky, as nine spherical-harmonics coefficients.
 };
 
-/// What a surface shows of the sky besides its irradiance: the sky through the lobe of a mirror as rough as
-/// the surface, by glTF's BRDF whatever suns and punctual lights have. Needs Ambient::Sky.
+/// The reflection of the sky, besides its irradiance: by the specular lobe of glTF's BRDF, even where suns
+/// and punctual lights have another BRDF. Needs Ambient::Sky.
 enum class Reflection : std::uint8_t {
-    None,   ///< Nothing: metals are black but for suns and punctual lights.
+    None,   ///< No reflection: metals are black but for suns and punctual lights.
     Lookup, ///< Prefiltered levels in one texture, and how much is reflected in another.
 };
 

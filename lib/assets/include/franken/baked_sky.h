@@ -19,14 +19,14 @@ namespace FRANKEN_API franken {
 struct BakedSky {
     SkyCoefficients coefficients{}; ///< Lighting::sky.
     std::optional<Sun> sun;         ///< What was taken out of the sky, to be added to Lighting::suns.
-    SkyCube backdrop;               ///< Renderer::setSkybox(); its size is 0 where none was asked for.
-    ReflectionMaps mirror;               ///< Renderer::setReflection().
+    SkyboxMap skybox;               ///< Renderer::setSkybox(); its size is 0 where none was asked for.
+    ReflectionMaps reflection;      ///< Renderer::setReflection().
 };
 
 struct BakeOptions {
-    bool sun = false;       ///< Takes the sun out of the sky (takeSun).
-    int backdropSize = 512; ///< Of a face, texels; 0 to kMaxSkyWidth / 4. 0 leaves the backdrop out.
-    int specularSize = kSpecularSize; ///< kMinSpecularSize to kMaxSpecularSize.
+    bool sun = false;     ///< Takes the sun out of the sky (takeSun).
+    int skyboxSize = 512; ///< Of a face, texels; 0 to kMaxSkyWidth / 4. 0 leaves the skybox out.
+    int reflectionSize = kReflectionSize; ///< kMinReflectionSize to kMaxReflectionSize.
     Progress progress = {};
     SkyLimits limits = {}; ///< For loadSky().
 };
@@ -43,13 +43,13 @@ BakedSky bakeSky(Environment sky, const BakeOptions& options);
 /// | 108 | the coefficients: 27 floats, RGB by RGB |
 /// | 4 | 1 where a sun follows, or 0 |
 /// | 28 | the sun: direction, colour, illuminance; zeros where there is none |
-/// | 4, 4 | the backdrop: size of a face, range (float) |
-/// | 4, 4 | the levels: size of the sharpest one's squares, range (float) |
-/// | 24 size^2 | the backdrop's faces, RGBA8 |
-/// | 8 size specularHeight(size) | the levels, RGBA8 |
-/// | 131,072 | the lookup, RGBA8 |
+/// | 4, 4 | the skybox: size of a face, range (float) |
+/// | 4, 4 | the reflection: size of the sharpest one's squares, range (float) |
+/// | 24 size^2 | the skybox's faces, RGBA8 |
+/// | 8 size reflectionHeight(size) | the atlas of the reflection, RGBA8 |
+/// | 131,072 | the reflection's lookup, RGBA8 |
 ///
-/// About 8 MB with the sizes of BakeOptions. Ranges and layouts are those of SkyCube and SpecularAtlas.
+/// About 8 MB with the sizes of BakeOptions. Ranges and layouts are those of SkyboxMap and ReflectionAtlas.
 std::vector<std::uint8_t> encodeBakedSky(const BakedSky& sky);
 
 /// Reads it back. Every number is checked before it is used. Fails with "sky.baked": not such a file, another

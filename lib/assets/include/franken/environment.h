@@ -80,7 +80,7 @@ glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction);
 SkyCoefficients skyCoefficients(const Environment& sky);
 
 /// Cuts the sun out of a sky and hands it over as a light, so that textures of the sky need not hold its
-/// range and its mirror image is sharp. The sun is what exceeds kSunContrast times the mean radiance within
+/// range and its reflection is sharp. The sun is what exceeds kSunContrast times the mean radiance within
 /// 5 degrees of the brightest texel; those texels keep that much. The light of both together is unchanged.
 /// Nothing if no texel is that bright.
 std::optional<Sun> takeSun(Environment& sky);
@@ -89,13 +89,13 @@ inline constexpr float kSunContrast = 32;
 
 /// The faces of a cube map, ready for glTexImage2D. Texels hold sqrt(radiance / range) as RGB times a shared
 /// alpha: radiance = (rgb * a)^2 * range. The root puts more codes where eyes see more.
-struct SkyCube {
+struct SkyboxMap {
     int size = 0;                ///< Of an edge, texels.
     float range = 0;             ///< The largest radiance that a texel can hold.
     std::array<Image, 6> images; ///< +X, -X, +Y, -Y, +Z, -Z.
 };
 
-/// The least range that a SkyCube gets, so that skies of one scene differ little in precision.
+/// The least range that a SkyboxMap gets, so that skies of one scene differ little in precision.
 inline constexpr float kMinSkyRange = 64;
 
 /// The largest one, in means of the sky over all directions: 8 bits hold the rest of the sky without steps up
@@ -103,7 +103,8 @@ inline constexpr float kMinSkyRange = 64;
 inline constexpr float kMaxSkyContrast = 1024;
 
 /// Resamples the sky to a cube of that size (1 to kMaxSkyWidth / 4), each texel the mean over its area, and
-/// encodes it. The range is the brightest texel's, within the two bounds above; brighter texels are cut to it.
-SkyCube encodeSkyCube(const Environment& sky, int size);
+/// encodes it. The range is the brightest texel's, within the two bounds above; brighter texels are cut to
+/// it.
+SkyboxMap encodeSkybox(const Environment& sky, int size);
 
 } // namespace franken

@@ -119,14 +119,14 @@ bool isBakedSky(const std::filesystem::path& path) {
 }
 
 BakedSky bakeSky(Environment sky, const BakeOptions& options) {
-    assert(options.backdropSize >= 0 && options.backdropSize <= kMaxSkyWidth / 4);
+    assert(options.skyboxSize >= 0 && options.skyboxSize <= kMaxSkyWidth / 4);
     BakedSky baked;
     if (options.sun)
         baked.sun = takeSun(sky);
     baked.coefficients = skyCoefficients(sky);
-    if (options.backdropSize > 0)
-        baked.backdrop = encodeSkyCube(sky, options.backdropSize);
-    baked.mirror = {filterSpecular(sky, options.specularSize, options.progress), specularLookup()};
+    if (options.skyboxSize > 0)
+        baked.skybox = encodeSkybox(sky, options.skyboxSize);
+    baked.reflection = {filterReflection(sky, options.reflectionSize, options.progress), reflectionLookup()};
     return baked;
 }
 
@@ -137,14 +137,14 @@ std::vector<std::uint8_t> encodeBakedSky(const BakedSky& sky) {
     for (const Float3& coefficient : sky.coefficients)
         writer.reals(coefficient);
     writeSun(writer, sky.sun);
-    writer.number(static_cast<std::uint32_t>(sky.backdrop.size));
-    writer.real(sky.backdrop.range);
-    writer.number(static_cast<std::uint32_t>(sky.mirror.atlas.image.width / 2));
-    writer.real(sky.mirror.atlas.range);
-    for (const Image& face : sky.backdrop.images)
+    writer.number(static_cast<std::uint32_t>(sky.skybox.size));
+    writer.real(sky.skybox.range);
+    writer.number(static_cast<std::uint32_t>(sky.reflection.atlas.image.width / 2));
+    writer.real(sky.reflection.atlas.range);
+    for (const Image& face : sky.skybox.images)
         writer.append(face.rgba);
-    writer.append(sky.mirror.atlas.image.rgba);
-    writer.append(sky.mirror.lookup.rgba);
+    writer.append(sky.reflection.atlas.image.rgba);
+    writer.append(sky.reflection.lookup.rgba);
     return writer.take();
 }
 
@@ -159,17 +159,17 @@ Result<BakedSky> decodeBakedSky(std::span<const std::uint8_t> bytes) {
         coefficient = reader.reals(-kLargest);
     sky.sun = readSun(reader);
     const std::uint32_t face = reader.number(0, kMaxSkyWidth / 4);
-    sky.backdrop.size = static_cast<int>(face);
-    sky.backdrop.range = reader.real(0);
-    const std::uint32_t size = reader.number(kMinSpecularSize, kMaxSpecularSize);
-    sky.mirror.atlas.range = reader.real(0);
+    sky.skybox.size = static_cast<int>(face);
+    sky.skybox.range = reader.real(0);
+    const std::uint32_t size = reader.number(kMinReflectionSize, kMaxReflectionSize);
+    sky.reflection.atlas.range = reader.real(0);
     if (reader.broken())
         return broken("a number in the head of the file is out of range, or the head is cut short");
-    for (Image& image : sky.backdrop.images)
+    for (Image& image : sky.skybox.images)
         image = reader.image(face, face);
-    const int height = specularHeight(static_cast<int>(size));
-    sky.mirror.atlas.image = reader.image(2 * size, static_cast<std::uint32_t>(height));
-    sky.mirror.lookup = reader.image(kLookupWidth, kLookupHeight);
+    const int height = reflectionHeight(static_cast<int>(size));
+    sky.reflection.atlas.image = reader.image(2 * size, static_cast<std::uint32_t>(height));
+    sky.reflection.lookup = reader.image(kLookupWidth, kLookupHeight);
     if (reader.broken() || !reader.atEnd())
         return broken("the file is not as long as its sizes say");
     return sky;

@@ -102,12 +102,12 @@ Image encodeRgbm(std::span<const glm::vec3> texels, int width, int height, float
     return image;
 }
 
-SkyCube encodeSkyCube(const Environment& sky, int size) {
+SkyboxMap encodeSkybox(const Environment& sky, int size) {
     assert(size >= 1 && size <= kMaxSkyWidth / 4);
     const Environment linear = resampledToCube(sky, size);
     const glm::vec3 mean = std::accumulate(linear.texels.begin(), linear.texels.end(), glm::vec3(0)) /
                            static_cast<float>(linear.texels.size());
-    SkyCube cube{size, rangeOf(linear.texels, mean), {}};
+    SkyboxMap cube{size, rangeOf(linear.texels, mean), {}};
     const std::size_t face = linear.texels.size() / 6;
     for (std::size_t i = 0; i < 6; ++i)
         cube.images[i] = encodeRgbm(std::span(linear.texels).subspan(i * face, face), size, size, cube.range);

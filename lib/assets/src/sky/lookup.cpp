@@ -66,7 +66,7 @@ glm::vec2 reflected(float nDotV, float roughness, const std::vector<glm::vec2>& 
 /// is sharper than what the roughness alone asks for. This and the share below were fitted to brute force
 /// over two skies, for a white and a coloured metal and a black dielectric at once.
 float levelOf(float nDotV, float roughness) {
-    const float level = 2 * std::log2(roughness) + kSpecularLevels - 1;
+    const float level = 2 * std::log2(roughness) + kReflectionLevels - 1;
     const float sharper =
         (1 - nDotV) * (1 - roughness) * (1.08f + 1.22f * roughness + 7.6f * roughness * roughness);
     return std::max(level - sharper, 0.0f);
@@ -85,7 +85,7 @@ std::uint8_t toCode(float value) {
 
 } // namespace
 
-Image specularLookup() {
+Image reflectionLookup() {
     Image image{"", kLookupWidth, kLookupHeight,
                 std::vector<std::uint8_t>(std::size_t{4} * kLookupWidth * kLookupHeight)};
     const std::vector<glm::vec2> points = evenPoints(kSamples);
@@ -98,7 +98,7 @@ Image specularLookup() {
                        const glm::vec2 light = reflected(nDotV, roughness, points);
                        texel[0] = toCode(light.x);
                        texel[1] = toCode(light.y);
-                       texel[2] = toCode(levelOf(nDotV, roughness) / (kSpecularLevels - 1));
+                       texel[2] = toCode(levelOf(nDotV, roughness) / (kReflectionLevels - 1));
                        texel[3] = toCode(irradianceShare(nDotV, roughness));
                    }
                },

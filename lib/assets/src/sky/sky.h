@@ -43,10 +43,10 @@ void forEachPart(const Environment& sky, int parts, const VisitPart& visit);
 /// The sky as a cube, each texel the mean over its area.
 Environment resampledToCube(const Environment& sky, int size);
 
-/// The range of an encoding of these texels of a sky with that mean radiance, as SkyCube says.
+/// The range of an encoding of these texels of a sky with that mean radiance, as SkyboxMap says.
 float rangeOf(std::span<const glm::vec3> texels, const glm::vec3& mean);
 
-/// Encodes texels as SkyCube says.
+/// Encodes texels as SkyboxMap says.
 Image encodeRgbm(std::span<const glm::vec3> texels, int width, int height, float range);
 
 } // namespace franken

@@ -70,7 +70,7 @@ Lobe::Lobe(float alpha, bool lambert) : m_alpha2(alpha * alpha), m_lambert(lambe
     m_slopeAtHorizon = weight(kNear) / kNear;
 }
 
-Lobe Lobe::ofMirror(float roughness) {
+Lobe Lobe::ofRoughness(float roughness) {
     assert(roughness > 0 && roughness <= 1);
     return {roughness * roughness, false};
 }

@@ -14,8 +14,8 @@ namespace franken {
 /// make 1.
 class Lobe {
 public:
-    /// What glTF's BRDF shows where N = V. roughness: above 0 to 1.
-    static Lobe ofMirror(float roughness);
+    /// The specular lobe of glTF's BRDF where N = V. roughness: above 0 to 1.
+    static Lobe ofRoughness(float roughness);
 
     /// What a white Lambert surface shows: the irradiance over pi.
     static Lobe ofLambert();

@@ -12,15 +12,15 @@
 namespace FRANKEN_API franken {
 
 /// What lights a picture. How many suns and punctual lights there are, whether one of them is a spot, the
-/// kind of ambient light and whether it is mirrored choose programs; all else are uniforms, free to change
-/// from frame to frame.
+/// kind of ambient light and whether surfaces reflect it choose programs; everything else is a uniform, free
+/// to change from frame to frame.
 struct Lighting {
     std::vector<Sun> suns;                     ///< See fittedLighting().
     std::vector<PunctualLight> punctualLights; ///< See fittedLighting().
     Ambient ambient = Ambient::None;           ///< Which of the next two is used.
     Float3 ambientColor{0, 0, 0};              ///< Linear radiance, 0 and up.
     SkyCoefficients sky{};
-    /// Beside Ambient::Sky: whether surfaces mirror the sky that the renderer was given
+    /// Beside Ambient::Sky: whether surfaces reflect the sky that the renderer was given
     /// (Renderer::setReflection).
     Reflection reflection = Reflection::None;
     float exposure = 1; ///< Multiplies all light, that of emissive surfaces included; above 0.

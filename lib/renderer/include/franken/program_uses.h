@@ -18,6 +18,6 @@ Result<std::vector<ProgramUse>> usesOf(const Scene& scene, const Lighting& light
                                        const Log& log = {});
 
 /// What a skybox needs.
-Result<ProgramUse> skyUse(const Look& look);
+Result<ProgramUse> skyboxUse(const Look& look);
 
 } // namespace franken

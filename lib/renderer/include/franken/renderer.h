@@ -31,7 +31,7 @@ enum class ModelId : unsigned {};
 /// for that. Called from show(), drawOverlay() and restore(), in their thread; a source must not call the
 /// renderer. An exception that it throws becomes "renderer.exception".
 using SceneSource = std::function<Result<Scene>()>;
-using SkyboxSource = std::function<Result<SkyCube>()>;
+using SkyboxSource = std::function<Result<SkyboxMap>()>;
 using ReflectionSource = std::function<Result<ReflectionMaps>()>;
 
 /// Counts of the last frame.
@@ -87,7 +87,7 @@ public:
 
     /// Shows a sky behind the scene, or none (null). It lights nothing; Lighting does. Fails as an upload,
     /// and with "renderer.sky" or "renderer.image" where the cube's faces do not fit together or the GPU.
-    Result<void> setSkybox(const SkyCube* cube, SkyboxSource source = {});
+    Result<void> setSkybox(const SkyboxMap* cube, SkyboxSource source = {});
 
     /// Takes the textures that surfaces reflect, or none (null). They are seen where Lighting::reflection
     /// asks for a reflection; without them, surfaces reflect no sky. Fails as setSkybox() does.

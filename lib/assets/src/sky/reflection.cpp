@@ -21,8 +21,8 @@ namespace {
 constexpr float kRatio = 0.70710678f; ///< Of a level's size to that of the one before.
 constexpr float kHeight = (1 - 0.0625f * kRatio) / (1 - kRatio); ///< Of all levels, in sizes of the first.
 
-constexpr int kIrradiance = kSpecularLevels; ///< After the levels of the lobes.
-constexpr float kIrradianceRow = 0.75f;      ///< Where its middle is, of the atlas's height.
+constexpr int kIrradiance = kReflectionLevels; ///< After the levels of the lobes.
+constexpr float kIrradianceRow = 0.75f;        ///< Where its middle is, of the atlas's height.
 
 struct AtlasPoint {
     int level = 0;
@@ -48,7 +48,7 @@ std::optional<AtlasPoint> irradiancePoint(float u, float v) {
         return std::nullopt;
     const bool upper = u < 0.875f;
     const glm::vec2 p(16 * (u - (upper ? 0.8125f : 0.9375f)), 16 * (v - kIrradianceRow));
-    glm::vec3 direction = irradianceDirection(p / kSpecularScale);
+    glm::vec3 direction = irradianceDirection(p / kAtlasInner);
     direction.y = upper ? direction.y : -direction.y;
     return AtlasPoint{kIrradiance, direction};
 }
@@ -59,7 +59,7 @@ std::optional<AtlasPoint> atlasPoint(float u, float v) {
         return irradiance;
     AtlasPoint point;
     float size = 1, top = 0;
-    while (point.level + 1 < kSpecularLevels && v * kHeight >= top + size) {
+    while (point.level + 1 < kReflectionLevels && v * kHeight >= top + size) {
         top += size;
         size *= kRatio;
         ++point.level;
@@ -68,7 +68,7 @@ std::optional<AtlasPoint> atlasPoint(float u, float v) {
         return std::nullopt;
     const bool upper = u < 0.5f * size;
     const float s = 4 * u / size - (upper ? 1 : 3), t = 2 * (v * kHeight - top) / size - 1;
-    const glm::vec2 p = glm::vec2(s, t) / kSpecularScale;
+    const glm::vec2 p = glm::vec2(s, t) / kAtlasInner;
     const float y = 1 - std::max(std::abs(p.x), std::abs(p.y));
     point.direction = glm::normalize(glm::vec3(p.x, upper ? y : -y, p.y));
     return point;
@@ -76,17 +76,17 @@ std::optional<AtlasPoint> atlasPoint(float u, float v) {
 
 } // namespace
 
-int specularHeight(int size) { return static_cast<int>(std::ceil(kHeight * static_cast<float>(size))); }
+int reflectionHeight(int size) { return static_cast<int>(std::ceil(kHeight * static_cast<float>(size))); }
 
-SpecularAtlas filterSpecular(const Environment& sky, int size, const Progress& progress) {
-    assert(size >= kMinSpecularSize && size <= kMaxSpecularSize);
+ReflectionAtlas filterReflection(const Environment& sky, int size, const Progress& progress) {
+    assert(size >= kMinReflectionSize && size <= kMaxReflectionSize);
     const SkyTree tree(sky);
     std::vector<Lobe> lobes;
-    for (int i = 0; i < kSpecularLevels; ++i)
-        lobes.push_back(Lobe::ofMirror(std::exp2(0.5f * static_cast<float>(i + 1 - kSpecularLevels))));
+    for (int i = 0; i < kReflectionLevels; ++i)
+        lobes.push_back(Lobe::ofRoughness(std::exp2(0.5f * static_cast<float>(i + 1 - kReflectionLevels))));
     lobes.push_back(Lobe::ofLambert());
 
-    const int width = 2 * size, height = specularHeight(size);
+    const int width = 2 * size, height = reflectionHeight(size);
     std::vector<glm::vec3> texels(std::size_t{1} * width * height);
     forEachRow(
         height,
@@ -100,7 +100,7 @@ SpecularAtlas filterSpecular(const Environment& sky, int size, const Progress& p
             }
         },
         progress);
-    SpecularAtlas atlas;
+    ReflectionAtlas atlas;
     atlas.range = rangeOf(texels, tree.meanRadiance());
     atlas.image = encodeRgbm(texels, width, height, atlas.range);
     return atlas;

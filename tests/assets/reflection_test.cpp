@@ -29,21 +29,21 @@ namespace fs = std::filesystem;
 const fs::path kShared = fs::path(FRANKEN_SOURCE_DIR) / ".." / "shared";
 
 /// A white sky comes back as the lookup says, whatever the direction and the level.
-TEST(SpecularSky, WhiteSkyStaysWhite) {
+TEST(Reflection, WhiteSkyStaysWhite) {
     Environment white{Environment::Layout::Equirect, 64, 32, std::vector<glm::vec3>(64 * 32, glm::vec3(1))};
-    const SpecularAtlas atlas = filterSpecular(white);
+    const ReflectionAtlas atlas = filterReflection(white);
     for (const glm::vec3& n : test::directions(50))
         for (const float roughness : {0.0625f, 0.2f, 0.5f, 1.0f})
             EXPECT_NEAR(test::skyThroughLobe(atlas, n, 2 * std::log2(roughness) + 8).g, 1, 0.01f);
 }
 
 /// The filter's footprint stays within a square, and the squares' edges meet: a smooth sky shows no seam.
-TEST(SpecularSky, NoSeams) {
+TEST(Reflection, NoSeams) {
     Environment smooth{Environment::Layout::Equirect, 256, 128, {}};
     for (int y = 0; y < 128; ++y)
         for (int x = 0; x < 256; ++x)
             smooth.texels.push_back(glm::vec3(1) + 0.5f * test::equirectDirection(256, x, y));
-    const SpecularAtlas atlas = filterSpecular(smooth);
+    const ReflectionAtlas atlas = filterReflection(smooth);
     for (const glm::vec3& d : test::directions(2000)) {
         const glm::vec2 around = glm::normalize(glm::vec2(d.x, d.z));
         const glm::vec3 horizon(around.x, 0.001f, around.y);
@@ -57,8 +57,8 @@ TEST(SpecularSky, NoSeams) {
 
 /// Against brute force with 4,096 samples. Within half a code of 8 bits, a step of the filter between texels
 /// and what the sampling leaves; at grazing angles the reflectance bends too much for a texel's width.
-TEST(SpecularSky, LookupMatchesBruteForce) {
-    const Image lookup = specularLookup();
+TEST(Reflection, LookupMatchesBruteForce) {
+    const Image lookup = reflectionLookup();
     for (const float roughness : {0.1f, 0.3f, 0.5f, 0.8f, 1.0f})
         for (const float nDotV : {0.03f, 0.1f, 0.3f, 0.6f, 1.0f}) {
             const glm::vec4 look = test::sample(lookup, {nDotV, roughness});
@@ -98,7 +98,7 @@ glm::vec3 sumOfTexels(const Environment& sky, const glm::vec3& n) {
 
 /// The goal of the nine coefficients holds for the texels as well.
 TEST_P(LitBySky, IrradianceMatchesBruteForce) {
-    const SpecularAtlas atlas = filterSpecular(sky);
+    const ReflectionAtlas atlas = filterReflection(sky);
     double error = 0, light = 0;
     for (const glm::vec3& n : test::directions(64)) {
         const glm::vec3 truth = sumOfTexels(sky, n), off = test::skyLight(atlas, n) - truth;
@@ -124,13 +124,13 @@ INSTANTIATE_TEST_SUITE_P(Skies, LitBySky, testing::Values("venice.hdr", "sunset.
                          [](const auto& row) { return fs::path(row.param).stem().string(); });
 
 /// The spheres of ../shared/reference/sky, and what the Khronos viewer's split sum leaves there.
-TEST(SpecularSky, SpheresMatchTheReference) {
+TEST(Reflection, SpheresMatchTheReference) {
     const fs::path folder = kShared / "reference" / "sky";
     if (!fs::exists(folder))
         GTEST_SKIP() << folder << " is not there";
     const auto environment = loadEnvironment(kShared / "assets" / "env" / "venice.hdr");
     ASSERT_TRUE(environment);
-    const ReflectionMaps sky{filterSpecular(*environment), specularLookup()};
+    const ReflectionMaps sky{filterReflection(*environment), reflectionLookup()};
     struct Row {
         const char* file;
         float roughness;
@@ -189,8 +189,8 @@ class ReferenceSky : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Skies, ReferenceSky, testing::Values("softbox", "half", "studio", "sunset"));
 
 /// Metals are half as far off as the split sum, or 2.5 codes. At roughness 0.2 no one lookup of a round lobe
-/// comes so close where lamps have edges (generator/docs/sky.md): there it is closer than the split sum, and no
-/// more.
+/// comes so close where lamps have edges (generator/docs/sky.md): there it is closer than the split sum, and
+/// no more.
 TEST_P(ReferenceSky, SpheresMatchTheTruth) {
     const fs::path folder = kShared / "reference" / "skies";
     if (!fs::exists(folder))
@@ -198,7 +198,7 @@ TEST_P(ReferenceSky, SpheresMatchTheTruth) {
     const std::string name = GetParam();
     const auto environment = loadEnvironment(folder / (name + ".hdr"));
     ASSERT_TRUE(environment);
-    const ReflectionMaps sky{filterSpecular(*environment), specularLookup()};
+    const ReflectionMaps sky{filterReflection(*environment), reflectionLookup()};
     for (const std::string file :
          {"metal_r0.2", "metal_r0.6", "metal_r1.0", "dielectric_r0.2", "dielectric_r0.6"}) {
         const float roughness = std::stof(file.substr(file.size() - 3));
@@ -231,14 +231,14 @@ TEST_P(ReferenceSky, SpheresMatchTheTruth) {
     }
 }
 
-TEST(SpecularSky, SameOnEveryRun) {
+TEST(Reflection, SameOnEveryRun) {
     Environment sky{Environment::Layout::Equirect, 64, 32, {}};
     for (int i = 0; i < 64 * 32; ++i)
         sky.texels.emplace_back(i % 7, i % 5, i % 3);
     float done = 0;
-    const SpecularAtlas first = filterSpecular(sky, kSpecularSize, [&](float share) { done = share; });
+    const ReflectionAtlas first = filterReflection(sky, kReflectionSize, [&](float share) { done = share; });
     EXPECT_EQ(done, 1);
-    EXPECT_EQ(first.image.rgba, filterSpecular(sky).image.rgba);
+    EXPECT_EQ(first.image.rgba, filterReflection(sky).image.rgba);
 }
 
 /// The numbers of "const float kName = 1.0;" or "const vec2 kName = vec2(1.0, 2.0);" in a snippet.
@@ -253,7 +253,7 @@ std::vector<float> constantIn(const std::string& glsl, const std::string& name) 
 }
 
 /// The constants of the snippets are those of the atlas' layout.
-TEST(SpecularSky, SnippetsKnowTheAtlas) {
+TEST(Reflection, SnippetsKnowTheAtlas) {
     const auto snippet = [](const char* name) {
         std::ifstream file(std::string(FRANKEN_SOURCE_DIR "/generator/glsl/fragment/reflection/") + name);
         return std::string{std::istreambuf_iterator<char>(file), {}};
@@ -265,14 +265,14 @@ TEST(SpecularSky, SnippetsKnowTheAtlas) {
         for (std::size_t i = 0; i < found.size(); ++i)
             EXPECT_NEAR(found[i], expected[i], 1e-7) << name;
     };
-    const double ratio = std::sqrt(0.5), all = 1 - std::pow(ratio, kSpecularLevels);
+    const double ratio = std::sqrt(0.5), all = 1 - std::pow(ratio, kReflectionLevels);
     expect(atlas, "kAtlasPoint", {1 / all});
     expect(atlas, "kAtlasHalf", {0.25, 0.5 * (1 - ratio) / all});
     expect(atlas, "kAtlasNext", {ratio});
-    expect(atlas, "kAtlasInner", {kSpecularScale});
+    expect(atlas, "kAtlasInner", {kAtlasInner});
     expect(irradiance, "kIrradianceUpper", {13.0 / 16, 0.75});
     expect(irradiance, "kIrradianceLower", {15.0 / 16, 0.75});
-    expect(irradiance, "kIrradianceHalf", {kSpecularScale / 16});
+    expect(irradiance, "kIrradianceHalf", {kAtlasInner / 16});
 }
 
 } // namespace
