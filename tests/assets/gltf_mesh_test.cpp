@@ -133,6 +133,36 @@ TEST(GltfMesh, SparseIndices) {
     EXPECT_EQ(onlyPrimitive(file).indices, (Indices{0, 1, 3}));
 }
 
+// Both lie in one buffer view, each behind bytes of something else: as exporters pack them.
+TEST(GltfMesh, SparseIndicesAndValuesBeginWhereTheySay) {
+    GltfFile file;
+    Json primitive = square(file);
+    const int indices = file.view(std::vector<std::uint16_t>{2, 2, 2, 2, 1, 3}); // From the fifth.
+    const int values = file.view(std::vector<float>{-1, -1, -1, 5, 6, 7, 8, 9, 10});
+    Json& positions = file.json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
+    positions["sparse"] = {
+        {"count", 2},
+        {"indices", {{"bufferView", indices}, {"byteOffset", 8}, {"componentType", GltfFile::kUShort}}},
+        {"values", {{"bufferView", values}, {"byteOffset", 12}}}};
+    file.setPrimitive(primitive);
+    EXPECT_EQ(onlyPrimitive(file).positions,
+              (std::vector<glm::vec3>{{0, 0, 0}, {5, 6, 7}, {0, 1, 0}, {8, 9, 10}}));
+}
+
+// An accessor's own offset, in a view that has another accessor's bytes first.
+TEST(GltfMesh, IndicesBeginWhereTheySay) {
+    GltfFile file;
+    Json primitive = square(file);
+    const int view = file.view(std::vector<std::uint16_t>{9, 9, 2, 1, 3});
+    primitive["indices"] = file.append("accessors", {{"bufferView", view},
+                                                     {"byteOffset", 4},
+                                                     {"componentType", GltfFile::kUShort},
+                                                     {"count", 3},
+                                                     {"type", "SCALAR"}});
+    file.setPrimitive(primitive);
+    EXPECT_EQ(onlyPrimitive(file).indices, (Indices{2, 1, 3}));
+}
+
 TEST(GltfMesh, NormalizedIntegersAreFractions) {
     GltfFile file;
     Json primitive = square(file);

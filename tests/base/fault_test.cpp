@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Writers and readers whose disk is full, broken or cut off at each system call, and several writers of one manifest:
-// nothing is lost, nothing is half there, and nothing of others is written over.
+// Writers and readers whose disk is full, broken or cut off at each system call, and several writers of one
+// manifest: nothing is lost, nothing is half there, and nothing of others is written over.
 #include "franken/manifest.h"
 #include "support/shell.h"
 
@@ -39,7 +39,8 @@ protected:
                                    FAULTY_CALLS + " " + what);
     }
 
-    // Does `what` with each fault at each call, until there is no such call; `check` hears whether it succeeded.
+    // Does `what` with each fault at each call, until there is no such call; `check` hears whether it
+    // succeeded.
     template<typename Check>
     void atEachCall(const std::string& before, const std::string& what, Check check) const {
         int faults = 0;
@@ -111,6 +112,40 @@ TEST_F(FaultTest, AReaderNeverTakesAPart) {
     atEachCall(before, "read disk/kiosk.txt", [&](bool) { EXPECT_EQ(readText(file()), before); });
 }
 
+// A rename that reaches the disk before the text does leaves an empty file after a power cut, and one that
+// does not reach it leaves the old one, although the writer was told that all is well.
+TEST_F(FaultTest, TheTextIsOnTheDiskBeforeItTakesItsPlaceAndThenItsFolder) {
+    for (const std::string what : {"write disk/kiosk.txt text", "append disk/kiosk.txt sun1"}) {
+        put("");
+        const Outcome outcome = act(what, 0, 0);
+        ASSERT_EQ(outcome.code, 0) << outcome.out;
+        const std::size_t names = outcome.out.find('\n') + 1;
+        std::string last;
+        std::istringstream calls(outcome.out.substr(names));
+        for (std::string name; calls >> name;)
+            if (name == "write" || name.starts_with("fsync") || name == "renameat")
+                last += name + " ";
+        EXPECT_EQ(last, "write fsync renameat fsync/ ") << what;
+    }
+}
+
+// Who guesses the name of the temporary file is refused, whatever stands there.
+TEST_F(FaultTest, ATemporaryFileOfOthersIsNotWrittenTo) {
+    for (const bool link : {false, true}) {
+        put("old");
+        const fs::path victim = m_folder / "victim",
+                       planted = file().parent_path() / ".kiosk.txt.0000000000000000.new";
+        std::ofstream(victim) << "precious";
+        link ? fs::create_symlink(victim, planted) : fs::copy(victim, planted);
+        const Outcome outcome =
+            runIn(m_folder, std::string("FRANKEN_NO_RANDOM=1 ") + FAULTY_CALLS + " write disk/kiosk.txt new");
+        EXPECT_EQ(outcome.code, 1) << outcome.out;
+        EXPECT_EQ(readText(victim), "precious");
+        EXPECT_EQ(readText(planted), "precious");
+        EXPECT_EQ(readText(file()), "old");
+    }
+}
+
 TEST_F(FaultTest, AFileIsTheOldOneOrTheNewOne) {
     atEachCall("old", "write disk/kiosk.txt 'the new text'", [&](bool succeeded) {
         const std::string now = readText(file());
@@ -170,7 +205,8 @@ TEST_F(FaultTest, SeveralWritersLoseNothing) {
         for (std::size_t i = 0; i < writers; ++i) {
             command += "( ";
             for (std::size_t j = i; j < uses.size(); j += writers)
-                command += std::string(FAULTY_CALLS) + " append disk/kiosk.txt " + toName(uses[j].permutation) + " || exit 1; ";
+                command += std::string(FAULTY_CALLS) + " append disk/kiosk.txt " +
+                           toName(uses[j].permutation) + " || exit 1; ";
             command += ") & pids=\"$pids $!\"; ";
         }
         command += "for pid in $pids; do wait $pid || echo failed; done";

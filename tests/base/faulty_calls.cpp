@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The system calls of lib/base, one of which fails. They are defined in this program, so that the linker takes them
-// instead of the C library's. FRANKEN_FAULT is "N ERRNO": call N and all after it fail with that number, or with
-// ERRNO 0 the process ends there as by a power cut. The calls are counted from countCalls() on.
+// The system calls of lib/base, one of which fails. They are defined in this program, so that the linker
+// takes them instead of the C library's. FRANKEN_FAULT is "N ERRNO": call N and all after it fail with that
+// number, or with ERRNO 0 the process ends there as by a power cut. The calls are counted from countCalls()
+// on.
 #include "faulty_calls.h"
 
 #include <cerrno>
@@ -9,6 +10,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -20,9 +22,16 @@ namespace {
 
 int g_calls = -1; // Not counted yet.
 int g_at = 0, g_error = 0;
+char g_names[4096]; // No string, because its memory is another library's.
+
+void note(const char* name) {
+    if (g_calls >= 0 && std::strlen(g_names) + std::strlen(name) + 2 < sizeof g_names)
+        std::strcat(std::strcat(g_names, name), " ");
+}
 
 // Whether this call is to fail.
-bool fails() {
+bool fails(const char* name) {
+    note(name);
     if (g_calls < 0 || ++g_calls < g_at || g_at == 0)
         return false;
     if (g_error == 0)
@@ -44,14 +53,24 @@ int countCalls() {
     return g_calls;
 }
 
+const char* namesOfCalls() { return g_names; }
+
 extern "C" {
+
+// A writer whose random names are known, to plant files of that name.
+ssize_t getrandom(void* bytes, size_t count, unsigned flags) {
+    if (std::getenv("FRANKEN_NO_RANDOM") == nullptr)
+        return syscall(SYS_getrandom, bytes, count, flags);
+    std::memset(bytes, 0, count);
+    return static_cast<ssize_t>(count);
+}
 
 int open(const char* path, int flags, ...) {
     va_list arguments;
     va_start(arguments, flags);
     const int mode = modeOf(flags, arguments);
     va_end(arguments);
-    return fails() ? -1 : static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+    return fails("open") ? -1 : static_cast<int>(syscall(SYS_openat, AT_FDCWD, path, flags, mode));
 }
 
 int openat(int folder, const char* path, int flags, ...) {
@@ -59,26 +78,38 @@ int openat(int folder, const char* path, int flags, ...) {
     va_start(arguments, flags);
     const int mode = modeOf(flags, arguments);
     va_end(arguments);
-    return fails() ? -1 : static_cast<int>(syscall(SYS_openat, folder, path, flags, mode));
+    return fails("openat") ? -1 : static_cast<int>(syscall(SYS_openat, folder, path, flags, mode));
 }
 
-ssize_t read(int file, void* bytes, size_t count) { return fails() ? -1 : syscall(SYS_read, file, bytes, count); }
+ssize_t read(int file, void* bytes, size_t count) {
+    return fails("read") ? -1 : syscall(SYS_read, file, bytes, count);
+}
 
 ssize_t write(int file, const void* bytes, size_t count) {
     // A disk that fills up takes a part first.
     if (g_calls >= 0 && count > 1 && g_at > 0 && g_calls + 1 == g_at && g_error != 0) {
         ++g_calls;
+        note("write");
         return syscall(SYS_write, file, bytes, count / 2);
     }
-    return fails() ? -1 : syscall(SYS_write, file, bytes, count);
+    return fails("write") ? -1 : syscall(SYS_write, file, bytes, count);
 }
 
-int fsync(int file) { return fails() ? -1 : static_cast<int>(syscall(SYS_fsync, file)); }
-int fchmod(int file, mode_t mode) { return fails() ? -1 : static_cast<int>(syscall(SYS_fchmod, file, mode)); }
-int flock(int file, int operation) { return fails() ? -1 : static_cast<int>(syscall(SYS_flock, file, operation)); }
+int fsync(int file) {
+    struct stat status {};
+    const bool folder = fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
+    return fails(folder ? "fsync/" : "fsync") ? -1 : static_cast<int>(syscall(SYS_fsync, file));
+}
+
+int fchmod(int file, mode_t mode) {
+    return fails("fchmod") ? -1 : static_cast<int>(syscall(SYS_fchmod, file, mode));
+}
+int flock(int file, int operation) {
+    return fails("flock") ? -1 : static_cast<int>(syscall(SYS_flock, file, operation));
+}
 
 int renameat(int from, const char* old, int to, const char* name) {
-    return fails() ? -1 : static_cast<int>(syscall(SYS_renameat2, from, old, to, name, 0));
+    return fails("renameat") ? -1 : static_cast<int>(syscall(SYS_renameat2, from, old, to, name, 0));
 }
 
 } // extern "C"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// faulty_calls append FILE NAME... | read FILE | write FILE TEXT: does that once, under FRANKEN_FAULT. Prints how many
-// system calls it took; exits with 1 where it was told of an error.
+// faulty_calls append FILE NAME... | read FILE | write FILE TEXT: does that once, under FRANKEN_FAULT. Prints
+// how many system calls it took, what came of it, and which calls they were; exits with 1 where it was told
+// of an error.
 #include "faulty_calls.h"
 #include "franken/file.h"
 #include "franken/file_writer.h"
@@ -40,6 +41,6 @@ int main(int argc, char** argv) {
         return 2;
     countCalls();
     const Result<void> done = act(argv[1], argc, argv);
-    std::printf("%d %s\n", countCalls(), done ? "ok" : toString(done.error()).c_str());
+    std::printf("%d %s\n%s\n", countCalls(), done ? "ok" : toString(done.error()).c_str(), namesOfCalls());
     return done ? 0 : 1;
 }

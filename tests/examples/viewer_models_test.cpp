@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small models whose pixels can be worked out by hand, as the viewer draws them on both back ends.
+#include "common/png.h"
 #include "support/gltf_builder.h"
 #include "viewer_run.h"
 
@@ -253,6 +254,36 @@ TEST_F(ViewerModels, ChunksOutOfPlaceAndCompressedMeshesAreRefused) {
     const Outcome packed = draw(json.dump());
     EXPECT_EQ(packed.code, 3);
     EXPECT_NE(packed.err.find("EXT_meshopt_compression"), std::string::npos) << packed.err;
+}
+
+/// How many pixels of the middle row are not black: what stands nearer to the camera is wider.
+int widthOf(const Picture& picture) {
+    int lit = 0;
+    for (int x = 0; x < picture.width; ++x)
+        lit += picture.rgba[static_cast<std::size_t>(4 * (picture.height / 2 * picture.width + x)) + 1] > 0;
+    return lit;
+}
+
+Image plainHeights(std::uint8_t code) { return {"heights", 1, 1, {code, code, code, 255}}; }
+
+TEST_F(ViewerModels, MidGreyHeightsStayWhiteOnesRiseAndBlackOnesSink) {
+    Model model;
+    model.json["cameras"][0] = {{"type", "perspective"},
+                                {"perspective", {{"yfov", 1}, {"aspectRatio", 1}, {"znear", 0.1}}}};
+    model.addNode({{"mesh", model.quad(model.unlit({0, 1, 0, 1}), 0.5f)}});
+    model.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
+        model.floats("VEC2", {0, 1, 1, 1, 1, 0, 0, 0});
+    const auto width = [&](const std::string& options) {
+        EXPECT_EQ(draw(model.bytes(false), options).code, 0);
+        return widthOf(readPicture(m_folder / "out.png"));
+    };
+    // 64 pixels see 2 tan(0.5) times the distance, which is 2.
+    const auto expected = [](double distance) { return 64 / (2 * std::tan(0.5) * distance); };
+    EXPECT_NEAR(width(""), expected(2), 1);
+    for (const auto& [code, distance] : {std::pair(128, 2.0), {255, 1.5}, {0, 2.5}}) {
+        ASSERT_TRUE(writePng(m_folder / "heights.png", plainHeights(static_cast<std::uint8_t>(code))));
+        EXPECT_NEAR(width("--height-map heights.png --height-scale 1"), expected(distance), 1) << code;
+    }
 }
 
 TEST_F(ViewerModels, ASunOf683LuxIsExposed) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The viewer as a shell sees it.
+#include "franken/gltf.h"
 #include "franken/manifest.h"
 #include "viewer_run.h"
 
@@ -91,7 +92,8 @@ TEST_F(Viewer, AHeightMapIsAnOrdinaryFileOfModestSize) {
     for (const std::string map : {"folder", "pipe", "zero", "empty.png", "large.png", "missing.png"}) {
         if (map == "zero" && !device)
             continue;
-        const Outcome outcome = runIn(m_folder, "timeout 20 " VIEWER " '" + std::string(kUrn) + "' --size 8x8 --height-map " + map);
+        const Outcome outcome = runIn(m_folder, "timeout 20 " VIEWER " '" + std::string(kUrn) +
+                                                    "' --size 8x8 --height-map " + map);
         EXPECT_EQ(outcome.code, 3) << map << outcome.err;
         EXPECT_NE(outcome.err.find("viewer: error: "), std::string::npos) << map;
     }
@@ -168,6 +170,28 @@ TEST_F(Viewer, LoadingTakesNoMoreMemoryThanItMay) {
     EXPECT_NE(sky.err.find("raise --memory"), std::string::npos) << sky.err;
 }
 
+// The least that the viewer takes is the least that the library takes: --memory is in MiB, and no more.
+TEST_F(Viewer, MemoryIsCountedInMebibytes) {
+    std::size_t least = 1;
+    while (!loadGltf(kUrn, {.maxMemoryBytes = least << 20}))
+        ASSERT_LT(++least, 100u);
+    ASSERT_GE(least, 2u);
+    const std::string urn = std::string(kUrn) + " --permutations --memory ";
+    EXPECT_EQ(run(urn + std::to_string(least)).code, 0);
+    EXPECT_EQ(run(urn + std::to_string(least - 1)).code, 3);
+}
+
+TEST_F(Viewer, APictureThatCannotBeWrittenWholeLeavesTheOneBefore) {
+    ASSERT_EQ(run(std::string(kUrn) + " --size 40x30").code, 0);
+    const std::string good = readText(m_folder / "out.png");
+    const Outcome full =
+        runIn(m_folder, "trap '' XFSZ; ulimit -f 8; " VIEWER " '" + std::string(kUrn) + "' --size 400x300");
+    EXPECT_EQ(full.code, 4) << full.err;
+    EXPECT_EQ(readText(m_folder / "out.png"), good);
+    for (const auto& entry : fs::directory_iterator(m_folder))
+        EXPECT_NE(entry.path().extension(), ".new") << "a temporary file is left";
+}
+
 TEST_F(Viewer, HelpShowsAnExample) {
     const Outcome outcome = run("--help");
     EXPECT_EQ(outcome.code, 0);
@@ -180,6 +204,8 @@ TEST_F(Viewer, ExitCodesTellWhoseFaultItIs) {
     EXPECT_EQ(run(urn + " --size 0x5").code, 2);
     EXPECT_EQ(run(urn + " --size 9000x30").code, 2);
     EXPECT_EQ(run(urn + " --sun 0,0,0").code, 2);
+    EXPECT_EQ(run(urn + " --exposure 0").code, 2);
+    EXPECT_EQ(run(urn + " --exposure -1").code, 2);
     EXPECT_EQ(run(urn + " --sun 1,2:3").code, 2);
     EXPECT_EQ(run(urn + " --camera nobody").code, 2);
     EXPECT_EQ(run(urn + " --tone-map loud").code, 2);
@@ -194,7 +220,8 @@ TEST_F(Viewer, SnippetsOfItsOwnMustCompile) {
     copySnippets();
     const std::string urn = std::string(kUrn) + " --size 40x30 --snippets glsl";
     EXPECT_EQ(run(urn).code, 0);
-    std::ofstream(m_folder / "glsl/fragment/ambient/sum.glsl", std::ios::app) << "  sum.specular += nonsense;\n";
+    std::ofstream(m_folder / "glsl/fragment/ambient/sum.glsl", std::ios::app)
+        << "  sum.specular += nonsense;\n";
     EXPECT_EQ(run(urn).code, 4);
     fs::remove(m_folder / "glsl/fragment/ambient/sum.glsl");
     EXPECT_EQ(run(urn).code, 3);

@@ -133,6 +133,32 @@ TEST_P(RefusalTest, BlendedAndMaskedSurfacesHaveALadderToo) {
     }
 }
 
+// The last rung of a glass is a glass: what is behind it shows through, by its alpha.
+TEST_P(RefusalTest, ABlendedSurfaceStaysTransparentOnEveryRung) {
+    SceneBuilder builder;
+    Material material = tiledMaterial(builder);
+    material.alphaMode = AlphaMode::Blend;
+    material.baseColor = {0, 1, 0, 0.25f};
+    material.baseColorTexture = {};
+    builder.add(square(), builder.addMaterial(material));
+    builder.addSun({0, 0, -1}, {1, 1, 1}, 1);
+    Shot shot{.scene = builder.scene, .camera = {}, .lighting = lightingOf(builder.scene)};
+    shot.camera.world[3] = glm::vec4(0, 0, 2, 1);
+    const std::vector<Permutation> rungs = ladderOf(shot);
+    ASSERT_GE(rungs.size(), 3u);
+    for (std::size_t count = 0; count < rungs.size(); ++count) {
+        Renderer renderer(refusingDriver(
+            gl(), Refusal::Link, {rungs.begin(), rungs.begin() + static_cast<std::ptrdiff_t>(count)}));
+        ASSERT_TRUE(renderer.load(shot.scene));
+        renderer.setLighting(shot.lighting);
+        ASSERT_TRUE(renderer.draw(
+            viewpointOf(shot.camera, 1),
+            {.framebuffer = surface().framebuffer(), .width = 64, .height = 64, .background = {1, 0, 0}}));
+        EXPECT_EQ(renderer.fallbacks().size(), count);
+        EXPECT_NEAR(readBack().pixel(32, 32)[0], 0.75 * 255, 24) << toName(rungs[count]) << ": red behind it";
+    }
+}
+
 TEST_P(RefusalTest, WhereNothingWorksTheErrorSaysSo) {
     for (const Refusal refusal : kRefusals) {
         const Drawn drawn = Kiosk(refusingDriver(gl(), refusal), surface()).draw(richShot());

@@ -2,9 +2,13 @@
 // After a warm-up a run compiles nothing, by the library's own count. What Mesa's drivers for the Pi compile
 // by theirs is counted in tests/qpu.
 #include "support/draw_scene.h"
+#include "support/gl_recorder.h"
 #include "support/kiosk_frames.h"
+#include "support/shapes.h"
 
+#include <map>
 #include <numeric>
+#include <set>
 #include <thread>
 
 namespace franken::test {
@@ -129,6 +133,57 @@ TEST_P(WarmUpTest, DrawingInAnotherThreadIsABug) {
     EXPECT_DEATH(std::thread([&] { (void)renderer.prepare(); }).join(), "outside the thread");
 }
 #endif
+
+/// Whether blending was on at each draw, by program.
+std::map<GLuint, std::set<bool>> drawsByProgram(const std::vector<GlCall>& calls) {
+    std::map<GLuint, std::set<bool>> blended;
+    bool on = false;
+    GLuint program = 0;
+    for (const GlCall& call : calls) {
+        if ((call.name == "Enable" || call.name == "Disable") && call.arguments[0] == GL_BLEND)
+            on = call.name == "Enable";
+        if (call.name == "UseProgram")
+            program = static_cast<GLuint>(call.arguments[0]);
+        if (call.name == "DrawElements" || call.name == "DrawArrays")
+            blended[program].insert(on);
+    }
+    return blended;
+}
+
+// A driver compiles a program again for another state of blending: what is drawn with it must have been
+// warmed up with it, the last rung that stands in included.
+TEST_P(WarmUpTest, ABlendedSurfaceAndItsLastRungAreDrawnBlended) {
+    SceneBuilder builder;
+    Material material;
+    material.alphaMode = AlphaMode::Blend;
+    material.baseColor.a = 0.5f;
+    builder.add(square(), builder.addMaterial(material));
+    builder.addSun({0, 0, -1}, {1, 1, 1}, 1);
+    const Lighting lighting = lightingOf(builder.scene);
+    Renderer renderer(recordingGl(gl()));
+    ASSERT_TRUE(renderer.load(builder.scene));
+    renderer.setLighting(lighting);
+    recordedCalls().clear();
+    ASSERT_TRUE(renderer.warmUp(target(), *usesOf(builder.scene, lighting, {})));
+    const auto warmed = drawsByProgram(recordedCalls());
+    EXPECT_GE(warmed.size(), 2u) << "the surface's and the last rung";
+    for (const auto& [program, states] : warmed)
+        EXPECT_EQ(states, std::set<bool>{true}) << "program " << program;
+
+    // Without a budget the last rung stands in for a program of another look: it is there, and proved.
+    const ProgramCounters before = renderer.programCounters();
+    renderer.setCompileBudget(0);
+    renderer.setLook({.toneMap = ToneMap::Aces});
+    Camera camera;
+    camera.world[3] = glm::vec4(0, 0, 3, 1);
+    recordedCalls().clear();
+    ASSERT_TRUE(renderer.draw(viewpointOf(camera, 1), target()));
+    EXPECT_EQ(renderer.programCounters().links, before.links);
+    std::size_t draws = 0;
+    for (const auto& [program, states] : drawsByProgram(recordedCalls()))
+        draws += states.size();
+    EXPECT_EQ(draws, 1u) << "one program, one state: nothing is proved in a frame";
+}
 
 TEST_P(WarmUpTest, ALostContextIsWarmedUpAgain) {
     KioskFrames kiosk;

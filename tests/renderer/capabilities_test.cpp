@@ -174,5 +174,94 @@ TEST_P(CapabilitiesTest, MeshesAreSplitBeyond65535Vertices) {
     EXPECT_EQ(compareLit(drawn(scene, kLeast), drawn(scene, wide)).max(), 0);
 }
 
+/// A grid of one triangle below it, whose corners are the last vertices: the only thing to be seen.
+Scene lastTriangle(std::size_t vertices) {
+    SceneBuilder builder;
+    Primitive primitive;
+    primitive.positions.assign(vertices, {-5, -5, -5});
+    const glm::vec3 corners[] = {{-0.8f, -0.8f, 0}, {0.8f, -0.8f, 0}, {0, 0.8f, 0}};
+    std::copy(std::begin(corners), std::end(corners), primitive.positions.end() - 3);
+    primitive.normals.assign(vertices, {0, 0, 1});
+    for (std::size_t i = vertices - 3; i < vertices; ++i)
+        primitive.indices.push_back(static_cast<std::uint32_t>(i));
+    for (const glm::vec3& position : primitive.positions)
+        primitive.bounds.add(position);
+    Material material;
+    material.unlit = true;
+    builder.add(std::move(primitive), builder.addMaterial(material));
+    return builder.scene;
+}
+
+// The largest 16-bit index is kept free (some GPUs restart strips at it): 65,535 vertices are the most.
+TEST_P(CapabilitiesTest, TheLastVerticesAreDrawnAroundTheLimitOf16Bits) {
+    Capabilities wide = kLeast;
+    wide.wideIndices = true;
+    const Picture expected = drawn(lastTriangle(3), kLeast);
+    EXPECT_GT(compareLit(expected, expected).pixels, 500u);
+    for (const std::size_t vertices : {65'534, 65'535, 65'536, 65'537, 65'538})
+        for (const Capabilities& capabilities : {kLeast, wide})
+            EXPECT_EQ(compareLit(drawn(lastTriangle(vertices), capabilities), expected).max(), 0)
+                << vertices << (capabilities.wideIndices ? " wide" : " narrow");
+}
+
+TEST_P(CapabilitiesTest, IndicesAreOf16BitsWhereTheyFitAndWhereOthersAreLacking) {
+    struct Row {
+        std::size_t vertices;
+        bool wide;
+        GLenum type;
+    };
+    for (const Row& row : {Row{65'535, true, GL_UNSIGNED_SHORT}, Row{65'536, true, GL_UNSIGNED_INT},
+                           Row{65'537, true, GL_UNSIGNED_INT}, Row{65'535, false, GL_UNSIGNED_SHORT},
+                           Row{65'536, false, GL_UNSIGNED_SHORT}, Row{65'537, false, GL_UNSIGNED_SHORT}}) {
+        Capabilities capabilities = kLeast;
+        capabilities.wideIndices = row.wide;
+        Renderer renderer(recordingGl(gl()), capabilities);
+        ASSERT_TRUE(renderer.load(lastTriangle(row.vertices)));
+        recordedCalls().clear();
+        Camera camera;
+        camera.world[3] = glm::vec4(0, 0, 3, 1);
+        ASSERT_TRUE(renderer.draw(viewpointOf(camera, 1),
+                                  {.framebuffer = surface().framebuffer(), .width = 64, .height = 64}));
+        const GlCall* last = nullptr; // The one before proves that the program draws.
+        for (const GlCall& call : recordedCalls())
+            last = call.name == "DrawElements" ? &call : last;
+        ASSERT_NE(last, nullptr);
+        EXPECT_EQ(last->arguments[2], row.type) << row.vertices;
+    }
+}
+
+/// What a driver says that it is.
+struct Driver {
+    const char *version, *extensions, *renderer;
+};
+Driver driver;
+
+Capabilities capabilitiesOf(const Gl& gl, const Driver& said) {
+    driver = said;
+    Gl table = gl;
+    table.GetString = [](GLenum name) {
+        return reinterpret_cast<const GLubyte*>(name == GL_VERSION      ? driver.version
+                                                : name == GL_EXTENSIONS ? driver.extensions
+                                                                        : driver.renderer);
+    };
+    return Capabilities::query(table);
+}
+
+TEST_P(CapabilitiesTest, AreReadFromWhatTheDriverSays) {
+    const char* const es2 = "OpenGL ES 2.0 Mesa 25.0.7";
+    const Capabilities least = capabilitiesOf(gl(), {es2, "GL_OES_texture_npot_2 GL_EXT_other", "Mali-400"});
+    EXPECT_FALSE(least.anyTextureSize || least.wideIndices || least.parallelCompile ||
+                 least.compilesForStaleTextures);
+    EXPECT_TRUE(capabilitiesOf(gl(), {es2, "GL_A GL_OES_texture_npot GL_B", "x"}).anyTextureSize);
+    EXPECT_TRUE(capabilitiesOf(gl(), {es2, "GL_OES_element_index_uint", "x"}).wideIndices);
+    EXPECT_TRUE(capabilitiesOf(gl(), {es2, "GL_A GL_KHR_parallel_shader_compile", "x"}).parallelCompile);
+    for (const char* pi : {"VC4 V3D 2.1", "V3D 4.2.14"})
+        EXPECT_TRUE(capabilitiesOf(gl(), {es2, "", pi}).compilesForStaleTextures) << pi;
+    for (const char* core : {"OpenGL ES 3.1 Mesa 25.0.7", "4.5 (Compatibility Profile) Mesa 22.3.6"}) {
+        const Capabilities more = capabilitiesOf(gl(), {core, "", "x"});
+        EXPECT_TRUE(more.anyTextureSize && more.wideIndices) << core;
+    }
+}
+
 } // namespace
 } // namespace franken::test

@@ -144,6 +144,50 @@ TEST_P(DrawingTest, AStillPictureOfOneObjectUploadsNothing) {
     EXPECT_EQ(names, (Names{"BindFramebuffer", "Viewport", "Clear", "DrawElements"}));
 }
 
+// Serials and places are kept from frame to frame: what they say must be of this frame's camera.
+TEST_P(DrawingTest, ALoneObjectFollowsTheCamera) {
+    for (const AlphaMode alpha : {AlphaMode::Opaque, AlphaMode::Blend}) {
+        SceneBuilder builder;
+        Material material;
+        material.baseColor.a = 0.5f;
+        material.alphaMode = alpha;
+        builder.add(sphere(6), builder.addMaterial(material), at(0, 0, -4));
+        builder.addSun({-1, -1, -1}, {1, 1, 1}, 3);
+        Shot shot = {.scene = builder.scene, .camera = lookingAhead(), .lighting = lightingOf(builder.scene)};
+        const std::unique_ptr<Renderer> renderer = warm(shot);
+        const std::vector<glm::mat4> places = {at(0.5f, 0, 0), at(0.5f, 0.4f, 0), at(0, 0, 1)};
+        std::vector<Picture> pictures = {readBack()};
+        for (const glm::mat4& place : places) {
+            shot.camera.world = place;
+            ASSERT_TRUE(renderer->draw(viewpointOf(shot.camera, 1), target()));
+            pictures.push_back(readBack());
+        }
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            shot.camera.world = places[i];
+            EXPECT_GT(compareLit(pictures[i + 1], pictures[i]).max(), 40) << "it moved";
+            EXPECT_EQ(compareLit(draw(shot), pictures[i + 1]).max(), 0) << "as from there in the first place";
+        }
+    }
+}
+
+TEST_P(DrawingTest, TheSkyboxIsThereWhateverWasDrawnBefore) {
+    const SkyboxMap cube =
+        encodeSkybox({.width = 8, .height = 4, .texels = std::vector<glm::vec3>(32, {0, 1, 0})}, 4);
+    for (const bool mirrored : {false, true})
+        for (const bool doubleSided : {false, true}) {
+            SceneBuilder builder;
+            Material material;
+            material.doubleSided = doubleSided;
+            builder.add(sphere(6), builder.addMaterial(material),
+                        glm::scale(at(0, 0, -6), glm::vec3(mirrored ? -1 : 1, 1, 1)));
+            Shot shot = {.scene = builder.scene, .camera = lookingAhead(), .lighting = {}};
+            shot.skybox = cube;
+            const Picture picture = draw(shot);
+            for (const std::size_t pixel : {0, 63, 64 * 63, 64 * 64 - 1})
+                EXPECT_GT(picture.rgba[4 * pixel + 1], 250) << pixel << mirrored << doubleSided;
+        }
+}
+
 TEST_P(DrawingTest, InvalidateStateBringsBackWhatAnEngineChanged) {
     const Shot shot = manyBalls();
     Renderer renderer(gl());

@@ -8,6 +8,9 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <set>
@@ -69,6 +72,48 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Backends, MultisampleTest, allBackends(), backendName);
+
+/// How many samples a pixel has, at the most, of what EGL itself offers for pictures of RGBA8 without a
+/// window.
+int samplesOfEgl() {
+    const EGLDisplay display =
+        eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY || !eglInitialize(display, nullptr, nullptr))
+        return 0;
+    const EGLint attributes[] = {EGL_SURFACE_TYPE,
+                                 EGL_PBUFFER_BIT,
+                                 EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_ES2_BIT,
+                                 EGL_RED_SIZE,
+                                 8,
+                                 EGL_ALPHA_SIZE,
+                                 8,
+                                 EGL_SAMPLES,
+                                 kSamples,
+                                 EGL_NONE};
+    EGLint count = 0;
+    eglChooseConfig(display, attributes, nullptr, 0, &count);
+    return count > 0 ? kSamples : 0;
+}
+
+// Does not skip: where the driver has such targets, the tests above must not skip either.
+TEST(Multisampling, IsThereWhereTheDriverOffersIt) {
+    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
+    const int offered = samplesOfEgl();
+    std::cout << "EGL offers " << offered << " samples a pixel\n";
+    for (const platform::Backend backend : {platform::Backend::OsMesa, platform::Backend::EglSurfaceless}) {
+        const Result<Offscreen> smooth = openOffscreen(backend, {kSize, kSize}, kSamples);
+        const bool installed = smooth || smooth.error().code != "surface.not-installed";
+        ASSERT_EQ(installed, bool(smooth)) << toString(smooth.error());
+        if (!installed)
+            continue;
+        GLint samples = -1;
+        smooth->gl.GetIntegerv(GL_SAMPLES, &samples);
+        EXPECT_EQ(smooth->surface->samples(), samples);
+        EXPECT_EQ(samples, backend == platform::Backend::EglSurfaceless ? offered : 0)
+            << platform::toString(backend);
+    }
+}
 
 Camera cameraAt(float distance) {
     Camera camera;

@@ -217,6 +217,100 @@ TEST_P(ResidencyTest, WhatCannotBeRebuiltIsAnErrorAndTheRestIs) {
     EXPECT_EQ(compareLit(drawn(renderer), before).max(), 0);
 }
 
+/// What a renderer does otherwise on another context.
+struct Upload {
+    std::uint64_t width = 0, indexType = 0;
+    std::size_t statusQueries = 0;
+    friend bool operator==(const Upload&, const Upload&) = default;
+};
+
+/// Of the calls since the list was cleared: the widest level of a texture, and the last draw's indices.
+Upload uploadOf(const std::vector<GlCall>& calls) {
+    constexpr std::uint64_t kCompletionStatus = 0x91B1;
+    Upload upload;
+    for (const GlCall& call : calls) {
+        if (call.name == "TexImage2D")
+            upload.width = std::max(upload.width, call.arguments[3]);
+        if (call.name == "DrawElements")
+            upload.indexType = call.arguments[2];
+        if (call.name == "GetProgramiv" && call.arguments[1] == kCompletionStatus)
+            ++upload.statusQueries;
+    }
+    return upload;
+}
+
+/// A texture of 96 x 96, and 65,600 vertices of which the last three are drawn.
+Scene demanding() {
+    SceneBuilder builder;
+    Material material;
+    material.baseColorTexture.texture = builder.addTexture(checkers(96, 8, {1, 0, 0, 1}, glm::vec4(1)));
+    Primitive primitive = square();
+    for (int i = 0; i < 65'600; ++i) {
+        primitive.positions.push_back(primitive.positions[static_cast<std::size_t>(i % 4)]);
+        primitive.normals.emplace_back(0, 0, 1);
+        primitive.tangents.emplace_back(1, 0, 0, 1);
+        primitive.uv[0].emplace_back(0.5f, 0.5f);
+    }
+    primitive.indices = {65'600, 65'601, 65'602};
+    builder.add(std::move(primitive), builder.addMaterial(material));
+    return builder.scene;
+}
+
+// Another card, or the same behind another driver: what the old one could do does not matter any more.
+TEST_P(ResidencyTest, ARestoredContextHasItsOwnCapabilities) {
+    const Capabilities least{.maxTextureSize = 64, .maxCubeSize = 64};
+    const Capabilities most{.maxTextureSize = 2048,
+                            .maxCubeSize = 2048,
+                            .anyTextureSize = true,
+                            .wideIndices = true,
+                            .parallelCompile = true};
+    const Scene scene = demanding();
+    const auto source = [&] { return Result<Scene>(scene); };
+    for (const bool better : {false, true}) {
+        const Capabilities &old = better ? least : most, &now = better ? most : least;
+        const auto used = [&](Renderer& renderer) {
+            EXPECT_TRUE(renderer.warmUp(target(), *usesOf(scene, Lighting{}, {})));
+            drawn(renderer);
+            return uploadOf(recordedCalls());
+        };
+        Renderer fresh(recordingGl(gl()), now);
+        recordedCalls().clear();
+        ASSERT_TRUE(fresh.load(scene, source));
+        const Upload expected = used(fresh);
+        EXPECT_EQ(expected.width, better ? 96u : 64u);
+        EXPECT_EQ(expected.indexType,
+                  static_cast<std::uint64_t>(better ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT));
+        EXPECT_EQ(expected.statusQueries > 0, better) << "asked whether it is still compiling";
+
+        Renderer restored(recordingGl(gl()), old);
+        ASSERT_TRUE(restored.load(scene, source));
+        drawn(restored);
+        restored.contextLost();
+        recordedCalls().clear();
+        ASSERT_TRUE(restored.restore(recordingGl(gl()), now));
+        EXPECT_EQ(used(restored), expected) << (better ? "a better context" : "a lesser context");
+    }
+}
+
+// Mesa's drivers of the Pi compile for what lies in texture units: a restored renderer knows where it is
+// again.
+TEST_P(ResidencyTest, ARestoredContextOfAPiIsOneAgain) {
+    const auto uses = *usesOf(red(), sunny(), {});
+    unsigned links[2] = {};
+    for (const bool pi : {false, true}) {
+        const Capabilities now{.maxTextureSize = 2048, .maxCubeSize = 2048, .compilesForStaleTextures = pi};
+        Renderer renderer(gl(),
+                          {.maxTextureSize = 2048, .maxCubeSize = 2048, .compilesForStaleTextures = !pi});
+        ASSERT_TRUE(renderer.load(red(), kRedSource));
+        renderer.contextLost();
+        ASSERT_TRUE(renderer.restore(gl(), now));
+        const unsigned before = renderer.programCounters().links;
+        ASSERT_TRUE(renderer.warmUp(target(), uses));
+        links[pi ? 1 : 0] = renderer.programCounters().links - before;
+    }
+    EXPECT_EQ(links[1], links[0] + 1) << "the program that resets textures";
+}
+
 TEST_P(ResidencyTest, ARendererMayDieAfterItsContext) {
     {
         Renderer renderer(recordingGl(gl()));

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -25,11 +26,35 @@ inline std::string readText(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// A folder in the build tree for the running test alone: CTest may run several at once.
+/// A folder in the build tree for this process alone: CTest may run several tests at once, and someone else
+/// the same ones. Removed at the end where all went well.
+class RunFolder {
+public:
+    static const std::filesystem::path& path() {
+        static const RunFolder folder;
+        return folder.m_path;
+    }
+    ~RunFolder() {
+        std::error_code ignored;
+        if (getpid() == m_process && testing::UnitTest::GetInstance()->Passed())
+            std::filesystem::remove_all(m_path, ignored);
+    }
+    RunFolder(const RunFolder&) = delete;
+    RunFolder& operator=(const RunFolder&) = delete;
+
+private:
+    RunFolder() = default;
+
+    pid_t m_process = getpid(); // A child that a test made and that ends leaves it alone.
+    std::filesystem::path m_path =
+        std::filesystem::path(FRANKEN_BINARY_DIR) / "Testing" / "folders" / std::to_string(m_process);
+};
+
+/// A folder for the running test alone.
 inline std::filesystem::path testFolder() {
     const testing::TestInfo& info = *testing::UnitTest::GetInstance()->current_test_info();
-    const std::filesystem::path folder = std::filesystem::path(FRANKEN_BINARY_DIR) / "Testing" / "folders" /
-                                         (std::string(info.test_suite_name()) + "." + info.name());
+    const std::filesystem::path folder =
+        RunFolder::path() / (std::string(info.test_suite_name()) + "." + info.name());
     std::filesystem::create_directories(folder);
     return folder;
 }
