@@ -213,7 +213,7 @@ constexpr std::array kSlots = {
          {{"brdf/specular.vc4", lobeByLogarithms}, {"brdf/specular"}}},
     Slot{kFragment,
          [](P, N n) { return n.material && n.shaded && n.metallic && !n.textured; },
-         {{"surface/reflectance"}}},
+         {{"surface/reflectance.seed", kSeed}, {"surface/reflectance"}}},
     Slot{kFragment,
          kDirect,
          {{"surface/factors.seed", [](P p, N n) { return !n.textured && p.brdf == Brdf::Seed; }},
@@ -279,9 +279,10 @@ constexpr std::array kSlots = {
     Slot{kFragment,
          [](P p, N n) { return n.direct && p.punctualLights > 0 && p.spots; },
          {{"lights/cone_attenuation"}}},
-    Slot{kFragment, kDirect, {{"lights/punctual"}}, Each::Punctual},
-    Slot{kFragment, [](P p, N n) { return n.direct && p.spots; }, {{"lights/punctual.spot"}}, Each::Punctual},
-    Slot{kFragment, kDirect, {{"lights/punctual_add"}}, Each::Punctual},
+    Slot{kFragment,
+         kDirect,
+         {{"lights/punctual.spot", is<&Permutation::spots, true>}, {"lights/punctual"}},
+         Each::Punctual},
 
     // What is shown. A sky's reflection without lights is shown already.
     Slot{kFragment,

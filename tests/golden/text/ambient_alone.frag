@@ -19,7 +19,7 @@ uniform vec3 uAmbient; // lights: linear radiance
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec2 uOcclusion; // material: strength, 1 - strength
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uOcclusionTexture; // material: R, linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.

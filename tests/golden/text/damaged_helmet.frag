@@ -30,11 +30,11 @@ uniform vec2 uMetallicRoughness; // material: factors, 0-1
 uniform vec2 uOcclusion; // material: strength, 1 - strength
 uniform vec3 uEmissive; // material: linear radiance where the texture is white
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 uniform sampler2D uOcclusionTexture; // material: R, linear
-uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
+uniform sampler2D uEmissiveTexture; // material: RGB, sRGB unless decode-none
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
 vec3 srgbToLinear(vec3 c) {
@@ -65,10 +65,10 @@ vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -109,12 +109,18 @@ float specularLobe(Angles angles, float nDotV, Surface surface) {
   return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's reflection has no size.
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
 Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha2 = (r * (r * r)) * r;
-  float slope = 1.0 - alpha2;
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
+  Surface surface;
+  surface.diffuse = 0.96 - 0.96 * metallic;
+  surface.metal = metallic;
+  surface.clear = 0.96 + 0.04 * metallic;
+  surface.slope = 1.0 - alpha2;
+  surface.smith = vec2(surface.slope, alpha2);
+  surface.gain = 0.5 * alpha2;
+  return surface;
 }
 
 // n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
@@ -133,8 +139,14 @@ struct Sum {
 struct View {
   vec3 normal; // N: unit, world space
   vec3 toCamera; // V: unit, world space
-  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
 };
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
 
 struct Light {
   vec3 direction; // L: towards the light, unit, world space
@@ -144,7 +156,7 @@ struct Light {
 Angles anglesOf(Light light, View view) {
   // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
   float h2 = 2.0 * dot(view.toCamera, light.direction) + 2.000002;
-  float schlick = fresnel(squareRoot(0.25 * h2)); // first: four suns of the seed's BRDF are 3 instructions shorter so
+  float schlick = fresnel(squareRoot(0.25 * h2)); // first: saves 3 instructions with four suns and the BRDF `seed`
   float nDotL = max(dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
   return Angles(nDotL, nDotH * nDotH, h2, schlick);
@@ -187,10 +199,11 @@ void main() {
 
   irradiance *= occlusion;
 
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
 
-  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
-  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+  View view = viewOf(normal, vToCamera);
 
   addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
 

@@ -16,7 +16,7 @@ varying vec2 vUv1;
 
 uniform vec3 uEmissive; // material: linear radiance where the texture is white
 
-uniform sampler2D uEmissiveTexture; // material: RGB as `decode` says
+uniform sampler2D uEmissiveTexture; // material: RGB, sRGB unless decode-none
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
 vec3 srgbToLinear(vec3 c) {

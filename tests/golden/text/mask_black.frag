@@ -16,7 +16,7 @@ varying vec2 vUv0;
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform float uAlphaCutoff; // material: 0-1
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
 vec3 linearToDisplay(vec3 c) {

@@ -16,7 +16,7 @@ varying vec2 vUv0;
 
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 
 void main() {
   vec4 base = texture2D(uBaseColorTexture, vUv0);

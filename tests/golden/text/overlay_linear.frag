@@ -16,7 +16,7 @@ varying vec2 vUv0;
 
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
 vec3 srgbToLinear(vec3 c) {

@@ -24,7 +24,7 @@ uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
@@ -54,7 +54,7 @@ struct Surface {
   float dielectric; // 0.04 (1 - metalness)
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -102,9 +102,16 @@ Surface surfaceOf(vec3 base, float metallic, float roughness) {
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
   float scattered = 1.0 - metallic;
-  float diffuse = scattered - scattered * dielectric;
-  vec2 smith = vec2(1.0 - k, k);
-  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, 0.25 * alpha2);
+  Surface surface;
+  surface.base = base;
+  surface.diffuse = scattered - scattered * dielectric;
+  surface.tinted = scattered * metallic;
+  surface.metal = metallic;
+  surface.dielectric = dielectric;
+  surface.slope = 1.0 - alpha2;
+  surface.smith = vec2(1.0 - k, k);
+  surface.gain = 0.25 * alpha2;
+  return surface;
 }
 
 struct Sum {
@@ -175,7 +182,9 @@ void main() {
   Surface surface = surfaceOf(base.rgb, metallic, roughness);
 
   vec3 irradiance = vec3(0.0);
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
 
   View view = viewOf(normal, vToCamera);
 

@@ -26,10 +26,10 @@ uniform vec3 uAmbient; // lights: linear radiance
 uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec4 uReflectance; // material: diffuse, metalness, 0.04 (1 - metalness), tinted
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 
 float squareRoot(float x) {
@@ -52,7 +52,7 @@ struct Surface {
   float dielectric; // 0.04 (1 - metalness)
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -146,11 +146,20 @@ void main() {
   vec3 texel = texture2D(uNormalTexture, vUv0).xyz - 0.5;
   vec3 normal = texel.x * vTangent + texel.y * vBitangent + texel.z * vNormal;
 
-  vec4 shares = uReflectance;
-  Surface surface = Surface(base.rgb, shares.x, shares.w, shares.y, shares.z, uLobe.x, uLobe.yz, 1.0);
+  Surface surface;
+  surface.base = base.rgb;
+  surface.diffuse = uReflectance.x;
+  surface.tinted = uReflectance.w;
+  surface.metal = uReflectance.y;
+  surface.dielectric = uReflectance.z;
+  surface.slope = uLobe.x;
+  surface.smith = uLobe.yz;
+  surface.gain = 1.0; // folded into surface.smith
 
   vec3 irradiance = uAmbient;
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
 
   View view = viewOf(normal, vToCamera);
 

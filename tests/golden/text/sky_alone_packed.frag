@@ -21,7 +21,7 @@ uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
 uniform vec2 uOcclusion; // material: strength, 1 - strength
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.

@@ -16,7 +16,7 @@ varying vec3 vToCamera;
 
 uniform float uReflectionScale; // frame: root of the largest radiance that a texel can hold, times the exposure
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec4 uReflectance; // material: 0.96 (1 - metalness), metalness, 0.04 (1 - metalness), 1 - 0.04 (1 - metalness)
 uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
 
 uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
@@ -74,8 +74,14 @@ vec3 reflectedSky(vec3 d, float level) {
 struct View {
   vec3 normal; // N: unit, world space
   vec3 toCamera; // V: unit, world space
-  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
 };
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
 
 struct Share { // of the sky's light
   float scattered; // of the irradiance, tinted by the base colour
@@ -97,17 +103,19 @@ void main() {
 
   vec3 irradiance = skyIrradiance(normal);
 
-  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
-  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+  View view = viewOf(normal, vToCamera);
 
   // Bent towards N the more, the rougher the surface and the lower the eye: 2 N.V + bend (1 - N.V) of N
   // (reflectionBend in pack.h).
   vec3 toSky = view.normal * (uReflectionLobe.z * view.nDotV + uReflectionLobe.y) - view.toCamera;
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, uReflectionLobe.x));
   vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
-  Share share = Share(uReflectance.x, lookup.r * uReflectance.y, lookup.r * uReflectance.z + lookup.g);
-  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
-  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
+  Share share;
+  share.scattered = uReflectance.x;
+  share.tinted = lookup.r * uReflectance.y;
+  share.untinted = lookup.r * uReflectance.z + lookup.g;
+  vec3 specular = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = specular + (irradiance * share.scattered) * base.rgb;
 
   color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);

@@ -25,7 +25,7 @@ uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
 uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's factor, rest, level / 8, irradiance's share
@@ -70,10 +70,10 @@ vec3 skyIrradiance(vec3 n) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -115,12 +115,18 @@ float specularLobe(Angles angles, float nDotV, Surface surface) {
   return surface.gain * exp2((h + h) - log2(denominator));
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's reflection has no size.
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
 Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha2 = (r * (r * r)) * r;
-  float slope = 1.0 - alpha2;
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
+  Surface surface;
+  surface.diffuse = 0.96 - 0.96 * metallic;
+  surface.metal = metallic;
+  surface.clear = 0.96 + 0.04 * metallic;
+  surface.slope = 1.0 - alpha2;
+  surface.smith = vec2(surface.slope, alpha2);
+  surface.gain = 0.5 * alpha2;
+  return surface;
 }
 
 // Nine levels of two squares, each sqrt(1/2) of the one before in size and below it: all shrink towards one point.
@@ -157,8 +163,14 @@ struct Sum {
 struct View {
   vec3 normal; // N: unit, world space
   vec3 toCamera; // V: unit, world space
-  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
 };
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
 
 struct Light {
   vec3 direction; // L: towards the light, unit, world space
@@ -215,8 +227,7 @@ void main() {
 
   Surface surface = surfaceOf(metallic, roughness);
 
-  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
-  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+  View view = viewOf(normal, vToCamera);
 
   // Bent towards N the more, the rougher the surface and the lower the eye, and a metal's more than a dielectric's
   // (reflectionBend in pack.h).
@@ -224,11 +235,16 @@ void main() {
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, roughness));
   float bend = (metallic + 0.6) * alpha;
   vec3 toSky = mix(bend, 2.0, view.nDotV) * view.normal - view.toCamera;
-  Share share = Share(0.96 - 0.96 * metallic, metallic * lookup.r, lookup.g + (0.04 - 0.04 * metallic) * lookup.r);
+  Share share;
+  share.scattered = 0.96 - 0.96 * metallic;
+  share.tinted = metallic * lookup.r;
+  share.untinted = lookup.g + (0.04 - 0.04 * metallic) * lookup.r;
   vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
-  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
-  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
-  Sum sum = Sum(base.rgb, color);
+  vec3 specular = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = specular + (irradiance * share.scattered) * base.rgb;
+  Sum sum;
+  sum.base = base.rgb;
+  sum.color = color;
 
   addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
 

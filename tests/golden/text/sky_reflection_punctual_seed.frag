@@ -28,7 +28,7 @@ uniform vec3 uPunctual0Radiance; // lights: linear intensity / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
 uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's factor, rest, level / 8, irradiance's share
@@ -75,7 +75,7 @@ struct Surface {
   float dielectric; // 0.04 (1 - metalness)
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -123,9 +123,16 @@ Surface surfaceOf(vec3 base, float metallic, float roughness) {
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
   float scattered = 1.0 - metallic;
-  float diffuse = scattered - scattered * dielectric;
-  vec2 smith = vec2(1.0 - k, k);
-  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, 0.25 * alpha2);
+  Surface surface;
+  surface.base = base;
+  surface.diffuse = scattered - scattered * dielectric;
+  surface.tinted = scattered * metallic;
+  surface.metal = metallic;
+  surface.dielectric = dielectric;
+  surface.slope = 1.0 - alpha2;
+  surface.smith = vec2(1.0 - k, k);
+  surface.gain = 0.25 * alpha2;
+  return surface;
 }
 
 // Nine levels of two squares, each sqrt(1/2) of the one before in size and below it: all shrink towards one point.
@@ -162,8 +169,14 @@ struct Sum {
 struct View {
   vec3 normal; // N: unit, world space
   vec3 toCamera; // V: unit, world space
-  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
 };
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
 
 struct Light {
   vec3 direction; // L: towards the light, unit, world space
@@ -173,7 +186,7 @@ struct Light {
 Angles anglesOf(Light light, View view) {
   // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
   float h2 = 2.0 * dot(view.toCamera, light.direction) + 2.000002;
-  float schlick = fresnel(squareRoot(0.25 * h2)); // first: four suns of the seed's BRDF are 3 instructions shorter so
+  float schlick = fresnel(squareRoot(0.25 * h2)); // first: saves 3 instructions with four suns and the BRDF `seed`
   float nDotL = max(dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
   return Angles(nDotL, nDotH * nDotH, h2, schlick);
@@ -207,7 +220,7 @@ float distanceAttenuation(float distance2, float inverseRange2) {
 }
 
 // position: from the eye, world space, m; 1 / range^2. intensity: over pi. toCamera: from the surface, m.
-Light punctualLight(vec4 position, vec3 intensity, vec3 toCamera) {
+Light pointLight(vec4 position, vec3 intensity, vec3 toCamera) {
   vec3 toLight = position.xyz + toCamera;
   float distance2 = dot(toLight, toLight);
   vec3 direction = toLight * inverseSquareRoot(max(distance2, 1.0e-8));
@@ -236,8 +249,7 @@ void main() {
 
   Surface surface = surfaceOf(base.rgb, metallic, roughness);
 
-  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
-  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+  View view = viewOf(normal, vToCamera);
 
   // Bent towards N the more, the rougher the surface and the lower the eye, and a metal's more than a dielectric's
   // (reflectionBend in pack.h).
@@ -245,15 +257,19 @@ void main() {
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, roughness));
   float bend = (metallic + 0.6) * alpha;
   vec3 toSky = mix(bend, 2.0, view.nDotV) * view.normal - view.toCamera;
-  Share share = Share(0.96 - 0.96 * metallic, metallic * lookup.r, lookup.g + (0.04 - 0.04 * metallic) * lookup.r);
+  Share share;
+  share.scattered = 0.96 - 0.96 * metallic;
+  share.tinted = metallic * lookup.r;
+  share.untinted = lookup.g + (0.04 - 0.04 * metallic) * lookup.r;
   vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
-  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
-  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
-  Sum sum = Sum(base.rgb, color);
+  vec3 specular = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = specular + (irradiance * share.scattered) * base.rgb;
+  Sum sum;
+  sum.base = base.rgb;
+  sum.color = color;
 
   addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
-  Light lightPunctual0 = punctualLight(uPunctual0Position, uPunctual0Radiance, vToCamera);
-  addLight(lightPunctual0, view, surface, sum);
+  addLight(pointLight(uPunctual0Position, uPunctual0Radiance, vToCamera), view, surface, sum);
 
   color = sum.color;
 

@@ -31,11 +31,11 @@ uniform mediump vec3 uSun1Direction; // lights: towards the sun, unit, world spa
 uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec2 uOcclusion; // material: strength, 1 - strength
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec4 uReflectance; // material: 0.96 (1 - metalness), metalness, 0.04 (1 - metalness), 1 - 0.04 (1 - metalness)
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 uniform sampler2D uOcclusionTexture; // material: R, linear
 uniform sampler2D uReflectionTexture; // frame: RGBM, square-rooted
@@ -85,10 +85,10 @@ vec3 skyIrradiance(vec3 n) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -208,7 +208,13 @@ void main() {
 
   vec3 irradiance = skyIrradiance(normal);
 
-  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
+  Surface surface;
+  surface.diffuse = uReflectance.x;
+  surface.metal = uReflectance.y;
+  surface.clear = uReflectance.w;
+  surface.slope = uLobe.x;
+  surface.smith = uLobe.yz;
+  surface.gain = 1.0; // folded into surface.smith
 
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
   View view = View(normal, vToCamera, nDotV, dot(vToCamera, vToCamera) + 1.000002);
@@ -218,18 +224,23 @@ void main() {
   vec3 toSky = view.normal * (uReflectionLobe.z * view.nDotV + uReflectionLobe.y) - view.toCamera;
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, uReflectionLobe.x));
   vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
-  Share share = Share(uReflectance.x, lookup.r * uReflectance.y, lookup.r * uReflectance.z + lookup.g);
+  Share share;
+  share.scattered = uReflectance.x;
+  share.tinted = lookup.r * uReflectance.y;
+  share.untinted = lookup.r * uReflectance.z + lookup.g;
 
-  share = Share(share.scattered * occlusion, share.tinted * occlusion, share.untinted * occlusion);
+  share.scattered *= occlusion;
+  share.tinted *= occlusion;
+  share.untinted *= occlusion;
 
-  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
-  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
-  Sum sum = Sum(base.rgb, color);
+  vec3 specular = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = specular + (irradiance * share.scattered) * base.rgb;
+  Sum sum;
+  sum.base = base.rgb;
+  sum.color = color;
 
-  Light lightSun0 = Light(uSun0Direction, uSun0Radiance, vVDotL.x, vFresnel.x);
-  addLight(lightSun0, view, surface, sum);
-  Light lightSun1 = Light(uSun1Direction, uSun1Radiance, vVDotL.y, vFresnel.y);
-  addLight(lightSun1, view, surface, sum);
+  addLight(Light(uSun0Direction, uSun0Radiance, vVDotL.x, vFresnel.x), view, surface, sum);
+  addLight(Light(uSun1Direction, uSun1Radiance, vVDotL.y, vFresnel.y), view, surface, sum);
 
   color = sum.color;
 

@@ -23,10 +23,10 @@ uniform vec3 uPunctual1Radiance; // lights: linear intensity / pi
 uniform vec4 uPunctual2Position; // lights: from the eye, world space, m; 1 / range^2
 uniform vec3 uPunctual2Radiance; // lights: linear intensity / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec4 uReflectance; // material: 0.96 (1 - metalness), metalness, 0.04 (1 - metalness), 1 - 0.04 (1 - metalness)
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
 vec3 srgbToLinear(vec3 c) {
@@ -50,10 +50,10 @@ float reciprocal(float x) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -102,8 +102,14 @@ struct Sum {
 struct View {
   vec3 normal; // N: unit, world space
   vec3 toCamera; // V: unit, world space
-  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
 };
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
 
 struct Light {
   vec3 direction; // L: towards the light, unit, world space
@@ -113,7 +119,7 @@ struct Light {
 Angles anglesOf(Light light, View view) {
   // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
   float h2 = 2.0 * dot(view.toCamera, light.direction) + 2.000002;
-  float schlick = fresnel(squareRoot(0.25 * h2)); // first: four suns of the seed's BRDF are 3 instructions shorter so
+  float schlick = fresnel(squareRoot(0.25 * h2)); // first: saves 3 instructions with four suns and the BRDF `seed`
   float nDotL = max(dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
   return Angles(nDotL, nDotH * nDotH, h2, schlick);
@@ -137,7 +143,7 @@ float distanceAttenuation(float distance2, float inverseRange2) {
 }
 
 // position: from the eye, world space, m; 1 / range^2. intensity: over pi. toCamera: from the surface, m.
-Light punctualLight(vec4 position, vec3 intensity, vec3 toCamera) {
+Light pointLight(vec4 position, vec3 intensity, vec3 toCamera) {
   vec3 toLight = position.xyz + toCamera;
   float distance2 = dot(toLight, toLight);
   vec3 direction = toLight * inverseSquareRoot(max(distance2, 1.0e-8));
@@ -163,20 +169,24 @@ void main() {
 
   vec3 normal = vNormal * inverseSquareRoot(dot(vNormal, vNormal));
 
-  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
+  Surface surface;
+  surface.diffuse = uReflectance.x;
+  surface.metal = uReflectance.y;
+  surface.clear = uReflectance.w;
+  surface.slope = uLobe.x;
+  surface.smith = uLobe.yz;
+  surface.gain = 1.0; // folded into surface.smith
 
   vec3 irradiance = vec3(0.0);
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
 
-  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
-  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+  View view = viewOf(normal, vToCamera);
 
-  Light lightPunctual0 = punctualLight(uPunctual0Position, uPunctual0Radiance, vToCamera);
-  addLight(lightPunctual0, view, surface, sum);
-  Light lightPunctual1 = punctualLight(uPunctual1Position, uPunctual1Radiance, vToCamera);
-  addLight(lightPunctual1, view, surface, sum);
-  Light lightPunctual2 = punctualLight(uPunctual2Position, uPunctual2Radiance, vToCamera);
-  addLight(lightPunctual2, view, surface, sum);
+  addLight(pointLight(uPunctual0Position, uPunctual0Radiance, vToCamera), view, surface, sum);
+  addLight(pointLight(uPunctual1Position, uPunctual1Radiance, vToCamera), view, surface, sum);
+  addLight(pointLight(uPunctual2Position, uPunctual2Radiance, vToCamera), view, surface, sum);
 
   vec3 color = base.rgb * sum.diffuse + sum.specular;
 

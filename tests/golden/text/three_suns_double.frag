@@ -28,10 +28,10 @@ uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
 uniform vec3 uSun2Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun2Radiance; // lights: linear irradiance / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec4 uReflectance; // material: 0.96 (1 - metalness), metalness, 0.04 (1 - metalness), 1 - 0.04 (1 - metalness)
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
@@ -63,10 +63,10 @@ vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -115,8 +115,14 @@ struct Sum {
 struct View {
   vec3 normal; // N: unit, world space
   vec3 toCamera; // V: unit, world space
-  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
 };
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
 
 struct Light {
   vec3 direction; // L: towards the light, unit, world space
@@ -126,7 +132,7 @@ struct Light {
 Angles anglesOf(Light light, View view) {
   // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
   float h2 = 2.0 * dot(view.toCamera, light.direction) + 2.000002;
-  float schlick = fresnel(squareRoot(0.25 * h2)); // first: four suns of the seed's BRDF are 3 instructions shorter so
+  float schlick = fresnel(squareRoot(0.25 * h2)); // first: saves 3 instructions with four suns and the BRDF `seed`
   float nDotL = max(dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
   return Angles(nDotL, nDotH * nDotH, h2, schlick);
@@ -157,13 +163,20 @@ void main() {
   vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
   if (!gl_FrontFacing) normal = -normal;
 
-  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
+  Surface surface;
+  surface.diffuse = uReflectance.x;
+  surface.metal = uReflectance.y;
+  surface.clear = uReflectance.w;
+  surface.slope = uLobe.x;
+  surface.smith = uLobe.yz;
+  surface.gain = 1.0; // folded into surface.smith
 
   vec3 irradiance = uAmbient;
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
 
-  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
-  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+  View view = viewOf(normal, vToCamera);
 
   addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
   addLight(Light(uSun1Direction, uSun1Radiance), view, surface, sum);

@@ -31,7 +31,7 @@ uniform vec3 uSun3Radiance; // lights: linear irradiance / pi
 uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
 // The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
@@ -52,10 +52,10 @@ float reciprocal(float x) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -90,8 +90,14 @@ Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha = r * r;
   float alpha2 = alpha * alpha;
-  vec2 smith = vec2(2.0 - 2.0 * alpha, alpha);
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, 1.0 - alpha2, smith, 0.5 * alpha2);
+  Surface surface;
+  surface.smith = vec2(2.0 - 2.0 * alpha, alpha); // first: saves 9 instructions on VideoCore IV
+  surface.diffuse = 0.96 - 0.96 * metallic;
+  surface.metal = metallic;
+  surface.clear = 0.96 + 0.04 * metallic;
+  surface.slope = 1.0 - alpha2;
+  surface.gain = 0.5 * alpha2;
+  return surface;
 }
 
 struct Sum {
@@ -150,19 +156,17 @@ void main() {
   Surface surface = surfaceOf(metallic, roughness);
 
   vec3 irradiance = vec3(0.0);
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
 
   float nDotV = max(dot(normal, vToCamera), 1.0e-4);
   View view = View(normal, nDotV, dot(vToCamera, vToCamera) + 1.000002);
 
-  Light lightSun0 = Light(uSun0Direction, uSun0Radiance, vVDotL.x, vFresnel.x);
-  addLight(lightSun0, view, surface, sum);
-  Light lightSun1 = Light(uSun1Direction, uSun1Radiance, vVDotL.y, vFresnel.y);
-  addLight(lightSun1, view, surface, sum);
-  Light lightSun2 = Light(uSun2Direction, uSun2Radiance, vVDotL.z, vFresnel.z);
-  addLight(lightSun2, view, surface, sum);
-  Light lightSun3 = Light(uSun3Direction, uSun3Radiance, vVDotL.w, vFresnel.w);
-  addLight(lightSun3, view, surface, sum);
+  addLight(Light(uSun0Direction, uSun0Radiance, vVDotL.x, vFresnel.x), view, surface, sum);
+  addLight(Light(uSun1Direction, uSun1Radiance, vVDotL.y, vFresnel.y), view, surface, sum);
+  addLight(Light(uSun2Direction, uSun2Radiance, vVDotL.z, vFresnel.z), view, surface, sum);
+  addLight(Light(uSun3Direction, uSun3Radiance, vVDotL.w, vFresnel.w), view, surface, sum);
 
   vec3 color = base.rgb * sum.diffuse + sum.specular;
 

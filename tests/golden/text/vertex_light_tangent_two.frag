@@ -27,7 +27,7 @@ uniform vec4 uBaseColor; // material: linear RGB and alpha
 uniform float uNormalScale; // material: glTF's normalTexture.scale
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
 
-uniform sampler2D uBaseColorTexture; // material: RGB as `decode` says, alpha
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
 uniform sampler2D uMetallicRoughnessTexture; // material: linear
 
@@ -53,10 +53,10 @@ float reciprocal(float x) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what is not mirrored without a tint
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
-  float gain; // what the shadowing's coefficients do not hold
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
 };
 
 struct Angles {
@@ -89,12 +89,18 @@ float specularLobe(Angles angles, float nDotV, Surface surface) {
   return angles.h2 * angles.h2 * surface.gain * reciprocal(denominator);
 }
 
-// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's reflection has no size.
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
 Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha2 = (r * (r * r)) * r;
-  float slope = 1.0 - alpha2;
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, slope, vec2(slope, alpha2), 0.5 * alpha2);
+  Surface surface;
+  surface.diffuse = 0.96 - 0.96 * metallic;
+  surface.metal = metallic;
+  surface.clear = 0.96 + 0.04 * metallic;
+  surface.slope = 1.0 - alpha2;
+  surface.smith = vec2(surface.slope, alpha2);
+  surface.gain = 0.5 * alpha2;
+  return surface;
 }
 
 struct Sum {
@@ -156,16 +162,17 @@ void main() {
   Surface surface = surfaceOf(metallic, roughness);
 
   vec3 irradiance = vec3(0.0);
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
 
   float inverseN = inverseSquareRoot(dot(normal, normal));
+  // N.V = N.H' - N.L, with H' = V + L of the first sun.
   float nDotV = max((dot(normal, vHalfSun0) - dot(normal, vToSun0.xyz)) * inverseN, 1.0e-4);
   View view = View(normal, inverseN, nDotV);
 
-  Light lightSun0 = Light(vToSun0.xyz, uSun0Radiance, vHalfSun0, vToSun0.w);
-  addLight(lightSun0, view, surface, sum);
-  Light lightSun1 = Light(vToSun1.xyz, uSun1Radiance, vHalfSun1, vToSun1.w);
-  addLight(lightSun1, view, surface, sum);
+  addLight(Light(vToSun0.xyz, uSun0Radiance, vHalfSun0, vToSun0.w), view, surface, sum);
+  addLight(Light(vToSun1.xyz, uSun1Radiance, vHalfSun1, vToSun1.w), view, surface, sum);
 
   vec3 color = base.rgb * sum.diffuse + sum.specular;
 

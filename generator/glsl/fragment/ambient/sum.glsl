@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sum that lights are added to.
 //! main
-  Sum sum = Sum(irradiance, vec3(0.0));
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);

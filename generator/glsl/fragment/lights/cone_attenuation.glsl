@@ -7,3 +7,10 @@ float coneAttenuation(vec3 toLight, vec3 axis, vec2 cone) {
   float c = clamp(cone.y - dot(toLight, axis) * cone.x, 0.0, 1.0);
   return c * c;
 }
+
+// See pointLight and coneAttenuation.
+Light spotLight(vec4 position, vec3 intensity, vec3 axis, vec2 cone, vec3 toCamera) {
+  Light light = pointLight(position, intensity, toCamera);
+  light.radiance *= coneAttenuation(light.direction, axis, cone);
+  return light;
+}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Point and spot lights: KHR_lights_punctual.
+// Point lights, and spot lights but for their cone: KHR_lights_punctual.
 //! functions
 // distance2: in m^2. inverseRange2: 1 / range^2, 0 where the range is infinite.
 float distanceAttenuation(float distance2, float inverseRange2) {
@@ -9,7 +9,7 @@ float distanceAttenuation(float distance2, float inverseRange2) {
 }
 
 // position: from the eye, world space, m; 1 / range^2. intensity: over pi. toCamera: from the surface, m.
-Light punctualLight(vec4 position, vec3 intensity, vec3 toCamera) {
+Light pointLight(vec4 position, vec3 intensity, vec3 toCamera) {
   vec3 toLight = position.xyz + toCamera;
   float distance2 = dot(toLight, toLight);
   vec3 direction = toLight * inverseSquareRoot(max(distance2, 1.0e-8));

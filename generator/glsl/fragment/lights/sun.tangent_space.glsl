@@ -3,5 +3,4 @@
 //! declarations
 uniform vec3 u${light}Radiance; // lights: linear irradiance / pi
 //! main
-  Light light${light} = Light(vTo${light}.xyz, u${light}Radiance, vHalf${light}, vTo${light}.w);
-  addLight(light${light}, view, surface, sum);
+  addLight(Light(vTo${light}.xyz, u${light}Radiance, vHalf${light}, vTo${light}.w), view, surface, sum);

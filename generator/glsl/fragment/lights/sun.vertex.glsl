@@ -4,5 +4,4 @@
 uniform mediump vec3 u${light}Direction; // lights: towards the sun, unit, world space
 uniform vec3 u${light}Radiance; // lights: linear irradiance / pi
 //! main
-  Light light${light} = Light(u${light}Direction, u${light}Radiance, vVDotL.${lane}, vFresnel.${lane});
-  addLight(light${light}, view, surface, sum);
+  addLight(Light(u${light}Direction, u${light}Radiance, vVDotL.${lane}, vFresnel.${lane}), view, surface, sum);

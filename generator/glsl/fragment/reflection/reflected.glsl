@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the surface reflects of the sky: scattered, mirrored with the base colour's tint, and mirrored without.
+// What the surface reflects of the sky: scattered, reflected with the base colour's tint, and reflected without.
 //! main
-  vec3 mirrored = reflection * (share.tinted * base.rgb + share.untinted);
-  vec3 color = mirrored + (irradiance * share.scattered) * base.rgb;
+  vec3 specular = reflection * (share.tinted * base.rgb + share.untinted);
+  vec3 color = specular + (irradiance * share.scattered) * base.rgb;

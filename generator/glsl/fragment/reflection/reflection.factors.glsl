@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The reflection: what a lobe shows of the sky, and a lookup of how much is reflected, of which level, and which
-// share of it is so broad that it is irradiance (reflectionLookup in reflection.h).
+// The prefiltered sky, scaled by a lookup texture of the BRDF, which holds F_0's scale and bias, the level of the
+// atlas, and a blend towards irradiance (reflectionLookup in reflection.h).
 //! declarations
 uniform vec3 uReflectionLobe; // material: roughness; the bend, and 2 less that
 uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's factor, rest, level / 8, irradiance's share
@@ -10,4 +10,7 @@ uniform sampler2D uReflectionLookup; // frame: by N.V and roughness: F_0's facto
   vec3 toSky = view.normal * (uReflectionLobe.z * view.nDotV + uReflectionLobe.y) - view.toCamera;
   vec4 lookup = texture2D(uReflectionLookup, vec2(view.nDotV, uReflectionLobe.x));
   vec3 reflection = mix(reflectedSky(toSky, 8.0 * lookup.b), irradiance, lookup.a);
-  Share share = Share(uReflectance.x, lookup.r * uReflectance.y, lookup.r * uReflectance.z + lookup.g);
+  Share share;
+  share.scattered = uReflectance.x;
+  share.tinted = lookup.r * uReflectance.y;
+  share.untinted = lookup.r * uReflectance.z + lookup.g;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sum that lights are added to.
 //! main
-  Sum sum = Sum(base.rgb, color);
+  Sum sum;
+  sum.base = base.rgb;
+  sum.color = color;

@@ -3,4 +3,10 @@
 //! declarations
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 //! main
-  Surface surface = Surface(uReflectance.x, uReflectance.y, uReflectance.w, uLobe.x, uLobe.yz, 1.0);
+  Surface surface;
+  surface.diffuse = uReflectance.x;
+  surface.metal = uReflectance.y;
+  surface.clear = uReflectance.w;
+  surface.slope = uLobe.x;
+  surface.smith = uLobe.yz;
+  surface.gain = 1.0; // folded into surface.smith

@@ -3,5 +3,12 @@
 //! declarations
 uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
 //! main
-  vec4 shares = uReflectance;
-  Surface surface = Surface(base.rgb, shares.x, shares.w, shares.y, shares.z, uLobe.x, uLobe.yz, 1.0);
+  Surface surface;
+  surface.base = base.rgb;
+  surface.diffuse = uReflectance.x;
+  surface.tinted = uReflectance.w;
+  surface.metal = uReflectance.y;
+  surface.dielectric = uReflectance.z;
+  surface.slope = uLobe.x;
+  surface.smith = uLobe.yz;
+  surface.gain = 1.0; // folded into surface.smith

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-// What follows from the metalness factor, folded by packMaterial. The last is what of the scattered light goes with the
-// base colour (seed), or what is not mirrored without a tint.
+// Shares of the light that follow from the metalness factor, folded by packMaterial.
 //! declarations
-uniform vec4 uReflectance; // material: scattered, metalness, 0.04 (1 - metalness), kept (seed) or 1 - the third
+uniform vec4 uReflectance; // material: 0.96 (1 - metalness), metalness, 0.04 (1 - metalness), 1 - 0.04 (1 - metalness)

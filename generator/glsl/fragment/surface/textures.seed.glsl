@@ -9,9 +9,16 @@ Surface surfaceOf(vec3 base, float metallic, float roughness) {
   float k = 0.125 * (roughness + 1.0) * (roughness + 1.0);
   float dielectric = 0.04 - 0.04 * metallic;
   float scattered = 1.0 - metallic;
-  float diffuse = scattered - scattered * dielectric;
-  vec2 smith = vec2(1.0 - k, k);
-  return Surface(base, diffuse, scattered * metallic, metallic, dielectric, 1.0 - alpha2, smith, 0.25 * alpha2);
+  Surface surface;
+  surface.base = base;
+  surface.diffuse = scattered - scattered * dielectric;
+  surface.tinted = scattered * metallic;
+  surface.metal = metallic;
+  surface.dielectric = dielectric;
+  surface.slope = 1.0 - alpha2;
+  surface.smith = vec2(1.0 - k, k);
+  surface.gain = 0.25 * alpha2;
+  return surface;
 }
 //! main
   Surface surface = surfaceOf(base.rgb, metallic, roughness);

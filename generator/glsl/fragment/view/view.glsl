@@ -4,8 +4,13 @@
 struct View {
   vec3 normal; // N: unit, world space
   vec3 toCamera; // V: unit, world space
-  float nDotV; // N.V, kept off 0, where V(isibility) would divide by it
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
 };
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
 //! main
-  vec3 toCamera = vToCamera * inverseSquareRoot(dot(vToCamera, vToCamera));
-  View view = View(normal, toCamera, max(dot(normal, toCamera), 1.0e-4));
+  View view = viewOf(normal, vToCamera);

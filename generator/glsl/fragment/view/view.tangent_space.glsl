@@ -8,5 +8,6 @@ struct View {
 };
 //! main
   float inverseN = inverseSquareRoot(dot(normal, normal));
+  // N.V = N.H' - N.L, with H' = V + L of the first sun.
   float nDotV = max((dot(normal, vHalfSun0) - dot(normal, vToSun0.xyz)) * inverseN, 1.0e-4);
   View view = View(normal, inverseN, nDotV);
