@@ -103,6 +103,12 @@ Result<void> Console::take() {
     if (const int error = state.calls->call(VT_GETMODE, address(&switching)); error != 0)
         return missing("VT_GETMODE", -error);
 
+    // So a program that was killed left it, and what is put back later has to work.
+    keyboard = keyboard == K_OFF ? K_UNICODE : keyboard;
+    picture = picture == KD_GRAPHICS ? KD_TEXT : picture;
+    if (switching.mode == VT_PROCESS)
+        switching = {.mode = VT_AUTO, .waitv = 0, .relsig = 0, .acqsig = 0, .frsig = 0};
+
     signalled = state.event.get();
     struct sigaction action = {};
     action.sa_handler = onSignal;

@@ -220,6 +220,13 @@ TEST(Console, ReadsNoKeysWhileItIsTakenAndIsPutBack) {
     EXPECT_TRUE(isRestored(fake));
 }
 
+TEST(Console, IsPutRightWhereAKilledProgramLeftItTaken) {
+    FakeConsole::State fake{
+        .keyboard = K_OFF, .picture = KD_GRAPHICS, .switching = VT_PROCESS, .released = {}, .errors = {}};
+    ASSERT_TRUE(Console::open(std::make_unique<FakeConsole>(fake)));
+    EXPECT_TRUE(isRestored(fake));
+}
+
 TEST(Console, IsPutBackWhereverTakingItFails) {
     for (const unsigned long request : {KDGKBMODE, KDGETMODE, VT_GETMODE, VT_SETMODE, KDSKBMODE, KDSETMODE}) {
         FakeConsole::State fake;

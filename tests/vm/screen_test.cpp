@@ -2,11 +2,13 @@
 //
 // The life of a screen on a real kernel: schedule, plug and unplug, masters, blanking. In virtual time.
 #include "support/guest.h"
+#include "support/other_master.h"
 
-#include <fcntl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <xf86drm.h>
+
+#include <filesystem>
+#include <functional>
+#include <iostream>
 
 namespace franken::test {
 namespace {
@@ -22,33 +24,6 @@ protected:
         if (!IsSkipped())
             plug("detect");
     }
-};
-
-/// A process that is the screen's master until it is told to end.
-class OtherMaster {
-public:
-    OtherMaster() {
-        [[maybe_unused]] const int made = pipe(m_pipe);
-        m_process = fork();
-        if (m_process == 0) {
-            const int device = open("/dev/dri/card0", O_RDWR);
-            const char result = drmSetMaster(device) == 0 ? 'y' : 'n';
-            [[maybe_unused]] const ssize_t written = write(m_pipe[1], &result, 1);
-            pause();
-        }
-        char result = 'n';
-        EXPECT_TRUE(read(m_pipe[0], &result, 1) == 1 && result == 'y');
-    }
-    ~OtherMaster() {
-        kill(m_process, SIGKILL);
-        waitpid(m_process, nullptr, 0);
-        close(m_pipe[0]);
-        close(m_pipe[1]);
-    }
-
-private:
-    int m_pipe[2] = {-1, -1};
-    pid_t m_process;
 };
 
 struct Schedule {
@@ -105,13 +80,14 @@ TEST_F(Screen, IsWaitedForWhereNoneIsThereAtTheStart) {
     showFrame(*surface, VmScene(surface->getProcAddress()));
 }
 
-TEST_F(Screen, SurvivesAThousandUnplugs) {
+TEST_F(Screen, SurvivesUnplugsWithoutEnd) {
     const auto surface = openSurface(options());
     ASSERT_TRUE(surface);
     const VmScene scene(surface->getProcAddress());
     int descriptors = 0;
     long resident = 0;
-    for (int cycle = 0; cycle < 1000; ++cycle) {
+    const int cycles = isSoak() ? 1000 : 200;
+    for (int cycle = 0; cycle < cycles; ++cycle) {
         showFrame(*surface, scene);
         plug("off");
         ASSERT_TRUE(waitFor(*surface, SurfaceState::NoScreen, 5s)) << cycle << ": " << surface->status();
@@ -167,19 +143,78 @@ TEST_F(Screen, IsBlankedAndWakes) {
     }
 }
 
+TEST_F(Screen, IsWaitedForWhenAnotherMasterStealsIt) {
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    showFrame(*surface, scene);
+    const int ours = screenDescriptor();
+    ASSERT_EQ(drmDropMaster(ours), 0);
+    std::optional<OtherMaster> thief(std::in_place);
+    ASSERT_TRUE(surface->begin().value());
+    ASSERT_TRUE(surface->submit());
+    EXPECT_EQ(surface->state(), SurfaceState::Paused) << surface->status();
+    EXPECT_FALSE(waitFor(*surface, SurfaceState::Ready, 10s));
+    thief.reset();
+    ASSERT_TRUE(waitFor(*surface, SurfaceState::Ready, 5s)) << surface->status();
+    showFrame(*surface, scene);
+    close(ours);
+}
+
+TEST_F(Screen, ANodeThatIsNotThereAtBootIsWaitedFor) {
+    const std::filesystem::path folder = std::filesystem::temp_directory_path() / "dri";
+    std::filesystem::create_directories(folder);
+    platform::SurfaceOptions late = options();
+    late.screen.devices = folder;
+    const auto surface = openSurface(late);
+    ASSERT_TRUE(surface);
+    EXPECT_FALSE(surface->hasContext());
+    EXPECT_FALSE(waitFor(*surface, SurfaceState::Ready, 60s));
+    std::filesystem::create_symlink("/dev/dri/card0", folder / "card3");
+    bool announced = false;
+    for (int turn = 0; turn < 50 && !announced; ++turn)
+        announced = waitAndDispatch(*surface, 100ms).contextReplaced;
+    EXPECT_TRUE(announced);
+    ASSERT_EQ(surface->state(), SurfaceState::Ready) << surface->status();
+    showFrame(*surface, VmScene(surface->getProcAddress()));
+}
+
+/// What a process holds must not grow with the turns of its loop.
+void expectNothingGrows(int turns, long kiB, const std::function<void()>& turn) {
+    for (int warm = 0; warm < 100; ++warm)
+        turn();
+    const int descriptors = openDescriptors();
+    const long resident = residentKiB();
+    for (int i = 0; i < turns; ++i)
+        turn();
+    EXPECT_EQ(openDescriptors(), descriptors);
+    EXPECT_LE(residentKiB(), resident + kiB);
+    std::cout << turns << " turns, " << residentKiB() - resident << " KiB more" << std::endl;
+}
+
 TEST_F(Screen, NothingGrowsWhileNothingIsDrawn) {
     const auto surface = openSurface(options());
     ASSERT_TRUE(surface);
+    const int turns = isSoak() ? 1'000'000 : 10'000;
+    const auto turn = [&] { surface->dispatch(); };
     plug("off");
     ASSERT_TRUE(waitFor(*surface, SurfaceState::NoScreen, 5s));
-    for (int turn = 0; turn < 1000; ++turn)
-        surface->dispatch();
-    const int descriptors = openDescriptors();
-    const long resident = residentKiB();
-    for (int turn = 0; turn < 100'000; ++turn)
-        surface->dispatch();
-    EXPECT_EQ(openDescriptors(), descriptors);
-    EXPECT_LE(residentKiB(), resident + 64);
+    expectNothingGrows(turns, 64, turn);
+    plug("detect");
+    ASSERT_TRUE(waitFor(*surface, SurfaceState::Ready, 5s));
+    ASSERT_TRUE(surface->blank(Blanking::Off));
+    ASSERT_TRUE(waitFor(*surface, SurfaceState::Blanked, 5s));
+    expectNothingGrows(turns, 64, turn);
+    surface->pause();
+    ASSERT_EQ(surface->state(), SurfaceState::Paused);
+    expectNothingGrows(turns, 64, turn);
+}
+
+TEST_F(Screen, NothingGrowsWhileFramesAreDrawn) {
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    expectNothingGrows(isSoak() ? 20'000 : 500, 256, [&] { showFrame(*surface, scene); });
 }
 
 TEST_F(Screen, SoftwareIsRefusedUnlessItIsAllowed) {

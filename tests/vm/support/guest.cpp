@@ -88,6 +88,8 @@ std::string readFile(const std::string& path) {
     return read;
 }
 
+bool isSoak() { return std::getenv("FRANKEN_SOAK") != nullptr; }
+
 int openDescriptors() {
     const fs::directory_iterator all("/proc/self/fd");
     return static_cast<int>(std::distance(begin(all), end(all)));

@@ -38,12 +38,18 @@ platform::CompletedFrame showFrame(platform::Surface& surface, const VmScene& sc
 /// screen's master.
 VmPicture scannedOut(std::uint32_t fourcc, pid_t process = getpid());
 
+/// The descriptor by which a process is the screen's master, as a copy that shares what it may; -1 without.
+int screenDescriptor(pid_t process = getpid());
+
 /// Forces the status of the screen's connector: "off", "detect".
 void plug(const std::string& status);
 
 /// A file of the guest, such as those of sysfs.
 void writeFile(const std::string& path, const std::string& text);
 std::string readFile(const std::string& path);
+
+/// Whether there is time for all of it (FRANKEN_SOAK is set): in CI less of the same is run.
+bool isSoak();
 
 /// Of this process: descriptors that are open, and resident KiB.
 int openDescriptors();

@@ -19,27 +19,6 @@ namespace franken::test {
 
 namespace {
 
-/// The descriptor by which a process is the screen's master; of another process, a copy of it: it shares what
-/// it may.
-int screenDescriptor(pid_t process) {
-    const std::string folder = "/proc/" + std::to_string(process) + "/fd";
-    const int handle = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
-    int found = -1;
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        std::error_code error;
-        if (!std::filesystem::read_symlink(entry.path(), error).string().starts_with("/dev/dri/card"))
-            continue;
-        const int number = std::stoi(entry.path().filename());
-        const int copy = static_cast<int>(syscall(SYS_pidfd_getfd, handle, number, 0));
-        if (found < 0 && copy >= 0 && drmIsMaster(copy) != 0)
-            found = copy;
-        else if (copy >= 0)
-            close(copy);
-    }
-    close(handle);
-    return found;
-}
-
 std::uint32_t property(int device, std::uint32_t object, std::uint32_t type, const char* name) {
     std::uint32_t found = 0;
     drmModeObjectProperties* all = drmModeObjectGetProperties(device, object, type);
@@ -119,6 +98,25 @@ int commit(int device, std::uint32_t connector, std::uint32_t crtc, const Copy* 
 }
 
 } // namespace
+
+int screenDescriptor(pid_t process) {
+    const std::string folder = "/proc/" + std::to_string(process) + "/fd";
+    const int handle = static_cast<int>(syscall(SYS_pidfd_open, process, 0));
+    int found = -1;
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        std::error_code error;
+        if (!std::filesystem::read_symlink(entry.path(), error).string().starts_with("/dev/dri/card"))
+            continue;
+        const int number = std::stoi(entry.path().filename());
+        const int copy = static_cast<int>(syscall(SYS_pidfd_getfd, handle, number, 0));
+        if (found < 0 && copy >= 0 && drmIsMaster(copy) != 0)
+            found = copy;
+        else if (copy >= 0)
+            close(copy);
+    }
+    close(handle);
+    return found;
+}
 
 VmPicture scannedOut(std::uint32_t fourcc, pid_t process) {
     const int device = screenDescriptor(process);

@@ -21,7 +21,8 @@ public:
 /// The virtual console that a kiosk runs on. While it lives, the console reads no keys (what is typed into
 /// the kiosk would run in the login shell behind it), draws nothing (its text, its cursor, its blanking), and
 /// asks before another one is switched to. All of that is put back when it goes, also by std::exit(); after a
-/// crash or SIGKILL by `TTYReset=yes` in the unit, which should have `Conflicts=getty@tty1.service` as well.
+/// crash or SIGKILL by `TTYReset=yes` in the unit, which should have `Conflicts=getty@tty1.service` as well,
+/// or by the next Console that goes.
 ///
 /// One in a process: the kernel tells of switches by two signals (SIGRTMIN and SIGRTMIN+1), which it takes.
 class Console {
