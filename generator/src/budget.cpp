@@ -14,11 +14,15 @@ namespace {
 constexpr std::array<std::string_view, kResourceCount> kResourceNames = {
     "attributes", "varyings", "vertex-uniforms", "fragment-uniforms", "samplers", "lights"};
 
-// vc4, v3d: glGetIntegerv of Mesa 25.0.7; software: the smaller of softpipe's and llvmpipe's in 22.3.6;
+// vc4, v3d: glGetIntegerv of Mesa 25.0.7; mali-400: src/gallium/drivers/lima/lima_screen.c
+// of Mesa, which spills; software: the smaller of softpipe's and llvmpipe's in 22.3.6;
 // es2-minimum: OpenGL ES 2.0.25, tables 6.19 and 6.20. vc4 does not spill: see lightsBeside().
 constexpr Profile kProfiles[] = {
     {"vc4", "VideoCore IV, Pi 0 to 3 (Mesa 25.0.7)", {8, 8, 4088, 4095, 16, 4}},
     {"v3d", "VideoCore VI and VII, Pi 4 and 5 (Mesa 25.0.7)", {16, 16, 4096, 4095, 24, 8}},
+    {"mali-400",
+     "Mali-400 and Mali-450, lima (Mesa 25.0.7); fragments in 16 bits",
+     {16, 12, 304, 2048, 16, 8}},
     {"es2-minimum", "the least that OpenGL ES 2.0 allows", {8, 8, 128, 16, 8, 8}},
     {"software", "softpipe and llvmpipe (Mesa 22.3.6)", {16, 32, 4096, 4096, 32, 8}},
 };

@@ -42,6 +42,10 @@ Permutation reduce(Permutation permutation, Drop drop) {
 std::string reasonFor(const Permutation& p, const Choice& choice) {
     if (choice.name == "target")
         return "this program is the same on all GPUs";
+    if (choice.name == "precision")
+        return "this program is the same in 16 bits";
+    if (choice.name == "lightVectors" && p.precision == Precision::Fp16)
+        return "in 16 bits light vectors are exact per pixel alone";
     if (p.program == Program::Sky)
         return "the sky has no material and is lit by nothing";
     if (p.program == Program::Overlay)
@@ -163,7 +167,8 @@ Key stageKey(const Permutation& permutation, Stage stage) {
     if (stage == Stage::Fragment)
         return toKey(fragmentChoices(permutation));
     const Outline vertex = outline(permutation, Stage::Vertex);
-    return {{vertex.rows.to_ullong(), vertex.suns}};
+    return {
+        {vertex.rows.to_ullong(), std::uint64_t{vertex.suns} | std::uint64_t{vertex.punctualLights} << 8}};
 }
 
 } // namespace franken

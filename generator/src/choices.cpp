@@ -101,6 +101,9 @@ constexpr Option kTarget[] = {{"generic", "any GPU"}, {"vc4", "forms that VideoC
 constexpr Option kFacing[] = {{"frontfacing", "gl_FrontFacing is trusted"},
                               {"workaround-facing", "back faces are found by N.V"}};
 
+constexpr Option kPrecision[] = {{"fp32", "fragments compute in 32-bit floats"},
+                                 {"fp16", "fragments compute in 16-bit floats; roughness from 0.3 up"}};
+
 constexpr bool staysInOneWord(const Choice& choice) {
     return choice.shift / 64 == (choice.shift + choice.bits - 1) / 64;
 }
@@ -139,6 +142,7 @@ constexpr std::array kChoices = {
     choice<&Permutation::view>("view", false, 24, 4, kView),
     choice<&Permutation::target>("target", false, 96, 3, kTarget),
     choice<&Permutation::facingWorkaround>("facingWorkaround", false, 99, 1, kFacing),
+    choice<&Permutation::precision>("precision", false, 113, 1, kPrecision),
 };
 static_assert(std::all_of(kChoices.begin(), kChoices.end(), staysInOneWord));
 
@@ -162,7 +166,6 @@ constexpr ReservedBits kReserved[] = {
     {"energy compensation", 110, 1},
     {"specular occlusion", 111, 1},
     {"roughness from normals", 112, 1},
-    {"forms for 16-bit floats", 113, 1},
     {"spare bits", 114, 6},
 };
 

@@ -13,7 +13,7 @@ namespace {
 constexpr int kProbes = 256;
 
 // The choices that decide which others have an effect at all.
-constexpr std::string_view kGates[] = {"program", "view", "shading"};
+constexpr std::string_view kGates[] = {"program", "view", "shading", "precision"};
 
 using Allowed = std::vector<unsigned>; ///< By choice: a bit for each value.
 using Values = std::vector<unsigned>;
@@ -68,16 +68,17 @@ Allowed withoutDeadWords(Allowed allowed) {
 
 // Parts in which a gate has one value each, and only words that matter are left; empty parts are left out.
 void split(const Allowed& allowed, std::span<const std::string_view> gates, std::vector<Allowed>& parts) {
-    const Allowed living = withoutDeadWords(allowed);
-    if (std::count(living.begin(), living.end(), 0U) > 0)
+    if (gates.empty()) {
+        const Allowed living = withoutDeadWords(allowed);
+        if (std::count(living.begin(), living.end(), 0U) == 0)
+            parts.push_back(living);
         return;
-    if (gates.empty())
-        return parts.push_back(living);
+    }
     const auto gate = std::find_if(choices().begin(), choices().end(),
                                    [&](const Choice& choice) { return choice.name == gates.front(); });
     const auto index = static_cast<std::size_t>(gate - choices().begin());
-    for (const unsigned value : valuesOf(living[index])) {
-        Allowed part = living;
+    for (const unsigned value : valuesOf(allowed[index])) {
+        Allowed part = allowed;
         part[index] = 1U << value;
         split(part, gates.subspan(1), parts);
     }

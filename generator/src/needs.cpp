@@ -23,6 +23,8 @@ LightForm lightFormOf(const Permutation& p, const Needs& n) {
     const bool unitNormal = needsUnitNormal(p, n);
     if (!n.direct)
         return LightForm::None;
+    if (p.precision == Precision::Fp16)
+        return LightForm::PixelUnit;
     if (p.lightVectors == LightVectors::PerPixel || p.punctualLights > 0)
         return unitNormal ? LightForm::PixelUnit : LightForm::PixelFew;
     const bool worldNormal = unitNormal || (n.turned && p.facingWorkaround);

@@ -55,6 +55,14 @@ Float4 packReflectance(float metallic, Brdf brdf) {
     return {0.96f * (1 - metallic), metallic, dielectric, 1 - dielectric};
 }
 
+// Of what is summed up, and of a light (as in lights/distance_attenuation.fp16).
+constexpr float kMostRadianceFp16 = 4096, kMostOfALightFp16 = 16;
+
+void limit(Float3& color, float most) {
+    for (float& channel : color)
+        channel = std::clamp(channel, -most, most);
+}
+
 } // namespace
 
 float reflectionBend(float roughness, float metallic) { return roughness * roughness * (metallic + 0.6f); }
@@ -78,6 +86,16 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
             .alphaCutoff = factors.alphaCutoff,
             .uv0Transform = factors.uv0Transform,
             .uv1Transform = factors.uv1Transform};
+}
+
+MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure, Precision precision) {
+    if (precision == Precision::Fp32)
+        return packMaterial(factors, brdf, exposure);
+    MaterialFactors held = factors;
+    held.roughness = std::max(factors.roughness, kMinRoughnessFp16);
+    held.emissive = scaled(factors.emissive, exposure);
+    limit(held.emissive, kMostRadianceFp16);
+    return packMaterial(held, brdf, 1);
 }
 
 void packAmbient(LightsBlock& block, const Float3& radiance, float exposure) {
@@ -114,6 +132,26 @@ void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLigh
     block.punctualCone[index] = light.spot ? Float2{scale, -cosOuter * scale} : Float2{0, 1};
 }
 
+float lengthScaleFp16(float farthest) { return std::min(1.0f, kMaxLengthFp16 / std::max(farthest, 1.0f)); }
+
+void fitToFp16(LightsBlock& block, float farthest) {
+    limit(block.ambient, kMostRadianceFp16);
+    for (Float3& coefficient : block.sky)
+        limit(coefficient, kMostRadianceFp16);
+    for (Float3& radiance : block.sunRadiance)
+        limit(radiance, kMostOfALightFp16);
+    for (std::size_t i = 0; i < block.punctualPosition.size(); ++i) {
+        const Float4& position = block.punctualPosition[i];
+        const float scale = lengthScaleFp16(std::hypot(position[0], position[1], position[2]) + farthest);
+        block.punctualScale[i] = scale;
+        block.punctualWindow[i] = std::min(position[3] / (scale * scale), kMostFp16);
+        block.punctualRadiance[i] = scaled(block.punctualRadiance[i], scale * scale);
+        limit(block.punctualRadiance[i], kMostFp16);
+        const Float2& cone = block.punctualCone[i];
+        block.punctualCone[i] = {cone[0] / 2, cone[0] + cone[1]}; // By 1 - cos instead of cos.
+    }
+}
+
 Float3 packDither(const std::array<int, 3>& bits) {
     const auto step = [](int count) { return 1 / static_cast<float>((1 << count) - 1); };
     return {step(bits[0]), step(bits[1]), step(bits[2])};
@@ -134,6 +172,7 @@ constexpr Field kFields[] = {
     {Block::Frame, "uSkyRange", offsetof(FrameBlock, skyRange)},
     {Block::Frame, "uReflectionScale", offsetof(FrameBlock, reflectionScale)},
     {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
+    {Block::Frame, "uLengthScale", offsetof(FrameBlock, lengthScale)},
     {Block::Lights, "uAmbient", offsetof(LightsBlock, ambient)},
     {Block::Lights, "uSky", offsetof(LightsBlock, sky)},
     {Block::Lights, "uSun#Direction", offsetof(LightsBlock, sunDirection),
@@ -147,6 +186,10 @@ constexpr Field kFields[] = {
      sizeof(LightsBlock::punctualAxis[0])},
     {Block::Lights, "uPunctual#Cone", offsetof(LightsBlock, punctualCone),
      sizeof(LightsBlock::punctualCone[0])},
+    {Block::Lights, "uPunctual#Scale", offsetof(LightsBlock, punctualScale),
+     sizeof(LightsBlock::punctualScale[0])},
+    {Block::Lights, "uPunctual#Window", offsetof(LightsBlock, punctualWindow),
+     sizeof(LightsBlock::punctualWindow[0])},
     {Block::Material, "uBaseColor", offsetof(MaterialBlock, baseColor)},
     {Block::Material, "uBaseColorCubic", offsetof(MaterialBlock, baseColorCubic)},
     {Block::Material, "uMetallicRoughness", offsetof(MaterialBlock, metallicRoughness)},

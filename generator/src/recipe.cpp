@@ -24,7 +24,7 @@ struct Form {
     UvStream Permutation::*uv = nullptr;
 };
 
-constexpr std::size_t kMaxForms = 10;
+constexpr std::size_t kMaxForms = 11;
 
 /// A place in the text. Where `when` holds, the first form that applies stands there.
 struct Slot {
@@ -62,9 +62,13 @@ constexpr Condition kTextured = needs<&Needs::textured>;
 constexpr Condition kNormal = needs<&Needs::normal>;
 constexpr Condition kFew = lights<LightForm::PixelFew>;
 constexpr Condition kTangent = lights<LightForm::VertexTangent>;
-bool fewOnVc4(P p, N n) { return n.lightForm == LightForm::PixelFew && p.target == Target::Vc4; }
+constexpr Condition kFp16 = is<&Permutation::precision, Precision::Fp16>;
+bool spotsInFp16(P p, N) { return p.spots && p.precision == Precision::Fp16; }
+// VideoCore IV has 32 bits.
+bool onVc4(P p) { return p.target == Target::Vc4 && p.precision == Precision::Fp32; }
+bool fewOnVc4(P p, N n) { return n.lightForm == LightForm::PixelFew && onVc4(p); }
 // What more than one slot asks.
-constexpr Condition kOnVc4 = is<&Permutation::target, Target::Vc4>;
+bool ofVc4(P p, N) { return onVc4(p); }
 constexpr Condition kSeed = is<&Permutation::brdf, Brdf::Seed>;
 bool texturedBase(P p, N n) { return n.base && p.baseColorTexture; }
 bool coloured(P p, N n) { return n.base && p.vertexColor; }
@@ -87,16 +91,23 @@ bool toneMapped(P p, N n) {
 bool exactLengths(N n) {
     return n.lightForm == LightForm::PixelUnit || n.lightForm == LightForm::VertexWorld;
 }
-bool looseLengths(P p, N n) { return p.target == Target::Vc4 && !exactLengths(n); }
+bool looseLengths(P p, N n) { return onVc4(p) && !exactLengths(n); }
 // Not the seed's, whose order of products was searched with the other form.
 bool anglesByLogarithms(P p, N n) {
-    return p.target == Target::Vc4 && p.brdf != Brdf::Seed && n.lightForm == LightForm::PixelUnit;
+    return onVc4(p) && p.brdf != Brdf::Seed && n.lightForm == LightForm::PixelUnit;
 }
 // Where it was found to pay (docs/mathematics.md, One division a light).
 bool lobeByLogarithms(P p, N n) {
     const bool shorter =
         n.lightForm == LightForm::VertexTangent || (n.lightForm == LightForm::PixelUnit && n.reflection);
-    return p.target == Target::Vc4 && p.brdf == Brdf::Gltf && shorter;
+    return onVc4(p) && p.brdf == Brdf::Gltf && shorter;
+}
+// Only 16 bits have a lobe of their own for a product.
+bool separateLobe(P p, N n) {
+    return n.direct && (p.brdf == Brdf::Gltf || p.brdf == Brdf::Fast || p.precision == Precision::Fp16);
+}
+bool readsRoughness(P p, N n) {
+    return n.roughness && (n.textured || looked(p, n) || (p.precision == Precision::Fp16 && n.direct));
 }
 bool roots(P p, N n) {
     return n.lightForm == LightForm::PixelFew ||
@@ -120,7 +131,11 @@ constexpr std::array kSlots = {
     Slot{kVertex,
          [](P, N n) { return n.toCamera || n.normalMap; },
          {{"frame/to_camera", needs<&Needs::toCamera>}, {"frame/model"}}},
-    Slot{kVertex, cameraVarying, {{"frame/to_camera_varying"}}},
+    Slot{kVertex, cameraVarying, {{"frame/to_camera_varying.fp16", kFp16}, {"frame/to_camera_varying"}}},
+    Slot{kVertex,
+         [](P p, N n) { return n.direct && p.precision == Precision::Fp16; },
+         {{"lights/to_punctual.fp16"}},
+         Each::Punctual},
     Slot{kVertex, needs<&Needs::normalMap>, {{"frame/tangent"}}},
     Slot{kVertex, needs<&Needs::normalMap>, {{"frame/tangent_space", kTangent}, {"frame/tangent_varying"}}},
     Slot{kVertex, kTangent, {{"sun/tangent_space"}}, Each::Sun},
@@ -128,7 +143,7 @@ constexpr std::array kSlots = {
     Slot{kVertex, lights<LightForm::VertexWorld>, {{"sun/angle"}}, Each::Sun},
     Slot{kVertex, lights<LightForm::VertexWorld>, {{"sun/fresnel"}}},
 
-    Slot{kFragment, always, {{"inputs/precision"}}},
+    Slot{kFragment, always, {{"inputs/precision.fp16", kFp16}, {"inputs/precision"}}},
     Slot{kFragment, needs<&Needs::uv0>, {{"inputs/uv0"}}},
     Slot{kFragment, needs<&Needs::uv1>, {{"inputs/uv1"}}},
     Slot{kFragment, coloured, {{"inputs/vertex_color"}}},
@@ -138,11 +153,11 @@ constexpr std::array kSlots = {
 
     Slot{
         kFragment, [](P p, N n) { return n.decode && p.decode == Decode::Exact; }, {{"math/srgb_to_linear"}}},
-    Slot{kFragment, roots, {{"math/square_root.vc4", kOnVc4}, {"math/square_root"}}},
+    Slot{kFragment, roots, {{"math/square_root.vc4", ofVc4}, {"math/square_root"}}},
     Slot{kFragment, kNormal, {{"math/inverse_square_root.vc4", looseLengths}, {"math/inverse_square_root"}}},
     Slot{kFragment,
          [](P p, N n) { return n.reflection || (n.direct && !lobeByLogarithms(p, n)); },
-         {{"math/reciprocal.vc4", kOnVc4}, {"math/reciprocal"}}},
+         {{"math/reciprocal.vc4", ofVc4}, {"math/reciprocal"}}},
 
     Slot{kFragment,
          needs<&Needs::base>,
@@ -178,7 +193,7 @@ constexpr std::array kSlots = {
          [](P p, N n) { return packed(p) && (n.metallic || n.roughness || packedOcclusion(p, n)); },
          {{"metallic_roughness/packed", always, &Permutation::metallicRoughnessUv}}},
     Slot{kFragment,
-         [](P p, N n) { return (n.textured && (n.metallic || n.roughness)) || looked(p, n); },
+         [](P p, N n) { return (n.textured && n.metallic) || readsRoughness(p, n) || looked(p, n); },
          {{"metallic_roughness/factors"}}},
     Slot{kFragment,
          [](P p, N n) { return n.metallic && (n.textured || looked(p, n)); },
@@ -187,11 +202,14 @@ constexpr std::array kSlots = {
           {"metallic_roughness/metallic.separate", kTextured, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/metallic.factor"}}},
     Slot{kFragment,
-         [](P p, N n) { return n.roughness && (n.textured || looked(p, n)); },
+         readsRoughness,
          {{"metallic_roughness/roughness.packed",
            is<&Permutation::metallicRoughness, MetallicRoughness::Packed>},
           {"metallic_roughness/roughness.separate", kTextured, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/roughness.factor"}}},
+    Slot{kFragment,
+         [](P p, N n) { return n.textured && n.roughness && n.shaded && p.precision == Precision::Fp16; },
+         {{"metallic_roughness/floor.fp16"}}},
     // A packed occlusion waits where the sky is reflected: see below.
     Slot{kFragment,
          [](P p, N n) { return n.occlusion && !(packedOcclusion(p, n) && n.reflection); },
@@ -199,18 +217,19 @@ constexpr std::array kSlots = {
 
     Slot{kFragment, kReflected, {{"reflection/irradiance"}}},
     Slot{kFragment, kDirect, {{"surface/surface.seed", kSeed}, {"surface/surface"}}},
-    Slot{kFragment, kDirect, {{"lights/angles"}}},
+    Slot{kFragment, kDirect, {{"lights/angles.fp16", kFp16}, {"lights/angles"}}},
     Slot{kFragment, [](P, N n) { return n.direct && !lightsPerVertex(n); }, {{"brdf/schlick"}}},
-    Slot{kFragment, kDirect, {{"brdf/ggx"}}},
+    Slot{kFragment, kDirect, {{"brdf/ggx.fp16", kFp16}, {"brdf/ggx"}}},
     Slot{kFragment,
          kDirect,
          {{"brdf/smith_correlated", is<&Permutation::brdf, Brdf::Gltf>},
           {"brdf/hammon", is<&Permutation::brdf, Brdf::Fast>},
+          {"brdf/schlick_ggx.fp16", kFp16},
           {"brdf/schlick_ggx"}}},
     // Schlick-GGX, a product, has its lobe already.
     Slot{kFragment,
-         [](P p, N n) { return n.direct && (p.brdf == Brdf::Gltf || p.brdf == Brdf::Fast); },
-         {{"brdf/specular.vc4", lobeByLogarithms}, {"brdf/specular"}}},
+         separateLobe,
+         {{"brdf/specular.fp16", kFp16}, {"brdf/specular.vc4", lobeByLogarithms}, {"brdf/specular"}}},
     Slot{kFragment,
          [](P, N n) { return n.material && n.shaded && n.metallic && !n.textured; },
          {{"surface/reflectance.seed", kSeed}, {"surface/reflectance"}}},
@@ -222,6 +241,9 @@ constexpr std::array kSlots = {
           {"surface/textures.seed", kSeed},
           {"surface/textures.hammon", is<&Permutation::brdf, Brdf::Fast>},
           {"surface/textures.schlick_ggx"}}},
+    Slot{kFragment,
+         [](P p, N n) { return n.direct && p.precision == Precision::Fp16; },
+         {{"surface/slope.fp16"}}},
 
     Slot{kFragment,
          [](P, N n) { return (n.direct || n.ambient) && !n.reflection; },
@@ -252,6 +274,7 @@ constexpr std::array kSlots = {
           {"lights/light.unnormalised", kFew},
           {"lights/light.tangent_space", kTangent},
           {"lights/light.vertex", lights<LightForm::VertexWorld>},
+          {"lights/light.fp16", kFp16},
           {"lights/light.vc4", anglesByLogarithms},
           {"lights/light"}}},
     Slot{kFragment,
@@ -275,19 +298,24 @@ constexpr std::array kSlots = {
          Each::Sun},
     Slot{kFragment,
          [](P p, N n) { return n.direct && p.punctualLights > 0; },
-         {{"lights/distance_attenuation"}}},
+         {{"lights/distance_attenuation.fp16", kFp16}, {"lights/distance_attenuation"}}},
     Slot{kFragment,
          [](P p, N n) { return n.direct && p.punctualLights > 0 && p.spots; },
-         {{"lights/cone_attenuation"}}},
+         {{"lights/cone_attenuation.fp16", kFp16}, {"lights/cone_attenuation"}}},
     Slot{kFragment,
          kDirect,
-         {{"lights/punctual.spot", is<&Permutation::spots, true>}, {"lights/punctual"}},
+         {{"lights/punctual.spot.fp16", spotsInFp16},
+          {"lights/punctual.spot", is<&Permutation::spots, true>},
+          {"lights/punctual.fp16", kFp16},
+          {"lights/punctual"}},
          Each::Punctual},
 
     // What is shown. A sky's reflection without lights is shown already.
     Slot{kFragment,
          [](P, N n) { return n.direct || !n.reflection; },
-         {{"shading/skybox", is<&Permutation::program, Program::Sky>},
+         {{"shading/skybox.fp16",
+           [](P p, N) { return p.program == Program::Sky && p.precision == Precision::Fp16; }},
+          {"shading/skybox", is<&Permutation::program, Program::Sky>},
           {"shading/view_normal", views<View::Normal>},
           {"shading/view_metallic_roughness", views<View::RoughnessMetallic>},
           {"shading/view_occlusion", [](P p, N n) { return views<View::Occlusion>(p, n) && n.occlusion; }},
@@ -306,6 +334,9 @@ constexpr std::array kSlots = {
           {"emissive/texture", always, &Permutation::emissiveUv}}},
 
     Slot{kFragment,
+         [](P p, N n) { return toneMapped(p, n) && p.precision == Precision::Fp16; },
+         {{"shading/limit.fp16"}}},
+    Slot{kFragment,
          toneMapped,
          {{"output/tone_reinhard", is<&Permutation::toneMap, ToneMap::Reinhard>},
           {"output/tone_aces", is<&Permutation::toneMap, ToneMap::Aces>},
@@ -316,8 +347,7 @@ constexpr std::array kSlots = {
          {{"output/linear_to_srgb", is<&Permutation::output, Output::Srgb>},
           {"output/gamma22", is<&Permutation::output, Output::Pow22>},
           // Not the background's, which it makes dearer.
-          {"output/approximate_linear_to_srgb.vc4",
-           [](P p, N n) { return p.target == Target::Vc4 && n.material; }},
+          {"output/approximate_linear_to_srgb.vc4", [](P p, N n) { return onVc4(p) && n.material; }},
           {"output/approximate_linear_to_srgb"}}},
     Slot{kFragment, needs<&Needs::encode>, {{"output/encode"}}},
     Slot{kFragment, is<&Permutation::dither, Dither::Ordered>, {{"output/dither"}}},

@@ -37,7 +37,7 @@ protected:
 };
 
 TEST_F(CliBuild, CountsAllAndSaysWhereItStops) {
-    EXPECT_EQ(run("list --count --where sky").out, "32\n");
+    EXPECT_EQ(run("list --count --where sky").out, "64\n");
     EXPECT_EQ(run("list --count --where 'unlit+!double' --limit 0").out,
               run("list --count --where 'unlit+!double'").out);
     EXPECT_GT(std::stol(run("list --count --where 'unlit+!double'").out), 100);

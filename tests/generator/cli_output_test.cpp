@@ -111,7 +111,7 @@ TEST_F(CliOutput, FiltersAgree) {
         EXPECT_EQ(line.find("spots"), std::string::npos);
         EXPECT_EQ(line.find("blend"), std::string::npos);
     }
-    EXPECT_EQ(run("list --where sky --count").out, "32\n");
+    EXPECT_EQ(run("list --where sky --count").out, "64\n");
     EXPECT_EQ(linesOf(run("list").out).size(), 100U);
     const json document = runJson("list --limit 7");
     EXPECT_EQ(document["permutations"].size(), 7U);

@@ -22,8 +22,14 @@ Shot shotOf(const std::filesystem::path& file) {
 }
 
 void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot) {
+    drawShot(gl, surface, shot, Capabilities::query(gl));
+}
+
+void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot,
+              const Capabilities& capabilities) {
     const auto [width, height] = surface.size();
-    Renderer renderer(gl, [](LogLevel, std::string_view message) { std::cout << message << "\n"; });
+    Renderer renderer(gl, capabilities,
+                      [](LogLevel, std::string_view message) { std::cout << message << "\n"; });
     EXPECT_TRUE(renderer.load(shot.scene));
     EXPECT_TRUE(renderer.setSkybox(shot.skybox ? &*shot.skybox : nullptr));
     EXPECT_TRUE(renderer.setReflection(shot.reflection ? &*shot.reflection : nullptr));

@@ -29,6 +29,10 @@ Shot shotOf(const std::filesystem::path& file);
 /// an error.
 void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot);
 
+/// The same for a context of which that is believed.
+void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot,
+              const Capabilities& capabilities);
+
 /// The forms of the text that any picture must look the same with: for any GPU, and what VideoCore IV runs
 /// best. A software rasteriser computes both to the last bit of a float; how inexact VideoCore IV is stands
 /// in tests/qpu/precision.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/capabilities.h"
 
+#include "precision_probe.h"
+
 #include <algorithm>
 #include <string_view>
 
@@ -42,7 +44,8 @@ Capabilities Capabilities::query(const Gl& gl) {
             .anyTextureSize = core || contains(extensions, "GL_OES_texture_npot"),
             .wideIndices = core || contains(extensions, "GL_OES_element_index_uint"),
             .parallelCompile = contains(extensions, "GL_KHR_parallel_shader_compile"),
-            .compilesForStaleTextures = renderer.starts_with("VC4") || renderer.starts_with("V3D")};
+            .compilesForStaleTextures = renderer.starts_with("VC4") || renderer.starts_with("V3D"),
+            .precision = measuredPrecision(gl, "highp")};
 }
 
 } // namespace franken

@@ -82,4 +82,14 @@ void DrawList::place(const Viewpoint& viewpoint) {
     m_placedFor = viewpoint;
 }
 
+double DrawList::farthest(const glm::dvec3& eye) const {
+    double farthest = 0;
+    for (const std::vector<Object>* objects : {&m_opaque, &m_blended})
+        for (const Object& object : *objects)
+            if (object.visible)
+                farthest = std::max(farthest, glm::length(object.bounds.center - eye) +
+                                                  glm::length(object.bounds.extent));
+    return farthest;
+}
+
 } // namespace franken

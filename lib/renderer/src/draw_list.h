@@ -40,6 +40,9 @@ public:
         return m_backToFront;
     } ///< Blended and visible ones.
 
+    /// The distance from the eye that no corner of a visible object's bounds exceeds.
+    double farthest(const glm::dvec3& eye) const;
+
     std::size_t visible() const { return m_visible; }
     std::size_t size() const { return m_opaque.size() + m_blended.size(); }
 

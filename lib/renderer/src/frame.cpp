@@ -70,7 +70,8 @@ Result<void> Frame::resolveMaterial(GpuMaterial& material, const DrawTarget* tar
     if (!program)
         return program.error();
     material.program = *program;
-    material.block.edit() = packMaterial(material.plan.factors, m_look.brdf, m_lighting.exposure);
+    material.block.edit() =
+        packMaterial(material.plan.factors, m_look.brdf, m_lighting.exposure, m_look.precision);
     return {};
 }
 
@@ -90,8 +91,15 @@ void Frame::updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target) {
     values.skyRange = m_content.skybox.range() * m_lighting.exposure;
     values.reflectionScale = std::sqrt(m_content.reflection.range() * m_lighting.exposure);
     values.dither = packDither(target.bits);
+    LightsBlock lights = packLighting(m_lighting, viewpoint.eye);
+    if (m_look.precision == Precision::Fp16) {
+        const float farthest = static_cast<float>(m_list.farthest(viewpoint.eye));
+        values.lengthScale = lengthScaleFp16(farthest);
+        values.skyRange = std::min(values.skyRange, kMostFp16);
+        fitToFp16(lights, farthest);
+    }
     m_frame.set(values);
-    m_lights.set(packLighting(m_lighting, viewpoint.eye));
+    m_lights.set(lights);
 }
 
 void Frame::begin(const DrawTarget& target) {
@@ -110,8 +118,8 @@ void Frame::begin(const DrawTarget& target) {
 }
 
 void Frame::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
-    updateBlocks(viewpoint, target);
     m_list.place(viewpoint);
+    updateBlocks(viewpoint, target);
     m_counters = {.drawn = m_list.visible(), .culled = m_list.size() - m_list.visible()};
     begin(target);
     drawOpaque();

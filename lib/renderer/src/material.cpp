@@ -178,6 +178,7 @@ void apply(const Look& look, Permutation& permutation) {
     permutation.view = look.view;
     permutation.target = look.target;
     permutation.facingWorkaround = look.facingWorkaround;
+    permutation.precision = look.precision;
 }
 
 Result<Permutation> canonical(const Permutation& permutation) {

@@ -57,6 +57,7 @@ Result<ProgramUse> overlayUse(const Look& look) {
     permutation.alpha = Alpha::Blend;
     permutation.output = look.srgbTarget ? Output::Linear : look.output;
     permutation.target = look.target;
+    permutation.precision = look.precision;
     const Result<Canonical> canonical = canonicalise(permutation);
     if (!canonical)
         return canonical.error();

@@ -37,6 +37,8 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
     State(const Gl& gl, const Capabilities& capabilities, Log log)
         : device(gl, capabilities, std::move(log)) {
         device.memory.setEvict([this] { return evictOne(); });
+        setLook({});
+        sayPrecision();
     }
 
     void lost() {
@@ -49,10 +51,37 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
         if (!device.isLost)
             lost();
         device.restore(gl, capabilities);
+        setLook(frame.look());
+        sayPrecision();
         FirstError first;
         for (GlOwner* owner : owners)
             first.add(owner->restore());
         return first.take();
+    }
+
+    /// What the context computes in is not the application's to choose.
+    void setLook(Look look) {
+        look.precision = device.capabilities.precision;
+        frame.setLook(look);
+        overlay.forgetProgram();
+    }
+
+    /// Manifests may have been written on another machine.
+    std::vector<ProgramUse> inOwnPrecision(std::span<const ProgramUse> uses) const {
+        std::vector<ProgramUse> own(uses.begin(), uses.end());
+        for (ProgramUse& use : own) {
+            use.permutation.precision = device.capabilities.precision;
+            if (const Result<Canonical> canonical = canonicalise(use.permutation))
+                use.permutation = canonical->permutation;
+        }
+        return own;
+    }
+
+    void sayPrecision() const {
+        if (device.capabilities.precision == Precision::Fp16 && device.log)
+            device.log(LogLevel::Info,
+                       "fragments compute in 16-bit floats: surfaces are drawn with a roughness of "
+                       "0.3 at least");
     }
 
     /// Whether there was anything to evict.
@@ -138,10 +167,7 @@ void Renderer::setLighting(const Lighting& lighting) {
     fitting.empty() ? state.frame.setLighting(lighting) : state.frame.setLighting(fittedLighting(lighting));
 }
 
-void Renderer::setLook(const Look& look) {
-    m_state->frame.setLook(look);
-    m_state->overlay.forgetProgram();
-}
+void Renderer::setLook(const Look& look) { m_state->setLook(look); }
 
 void Renderer::setSnippets(const SnippetSet& snippets) {
     m_state->programs.manager.setSnippets(snippets);
@@ -162,7 +188,8 @@ Result<WarmUpReport> Renderer::warmUp(const DrawTarget& target, std::span<const 
     return m_state->call("warmUp()", [&]() -> Result<WarmUpReport> {
         if (Result<void> checked = check(target); !checked)
             return checked.error();
-        Result<WarmUpReport> report = m_state->programs.manager.warmUp(uses, target, progress);
+        Result<WarmUpReport> report =
+            m_state->programs.manager.warmUp(m_state->inOwnPrecision(uses), target, progress);
         m_state->device.state.invalidate();
         return report;
     });

@@ -38,7 +38,8 @@ struct Profile {
     std::array<int, kResourceCount> limits;
 };
 
-/// vc4, v3d, es2-minimum (what every GLES2 implementation has at least) and software (Mesa's rasterisers).
+/// vc4, v3d, mali-400, es2-minimum (what every GLES2 implementation has at least) and software (Mesa's
+/// rasterisers).
 std::span<const Profile> profiles();
 
 /// Fails with "budget.unknown-profile"; the remedy lists the names.

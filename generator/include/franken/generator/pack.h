@@ -19,6 +19,17 @@ namespace FRANKEN_API franken {
 /// smoother surface has no size, and is not seen, as in glTF's own formulas.
 inline constexpr float kMinRoughness = 0.001f;
 
+/// For fragments that compute in 16-bit floats: glTF's shadowing would overflow on a smoother surface, whose
+/// 4 / alpha^4 is 65,504 and more.
+inline constexpr float kMinRoughnessFp16 = 0.3f;
+
+/// The largest number that such a fragment is handed.
+inline constexpr float kMostFp16 = 60'000;
+
+/// The longest vector that such a fragment is handed: its square, times what is white in any light, is below
+/// 65,504.
+inline constexpr float kMaxLengthFp16 = 60;
+
 /// The levels of a ReflectionAtlas, prefiltered for rising roughness. Level i holds the roughness 2^((i - 8)
 /// / 2): 0.0625, 0.088 ... 0.707, 1; smoother surfaces show the first.
 inline constexpr int kReflectionLevels = 9;
@@ -61,6 +72,9 @@ struct MaterialBlock {
 /// Folds a material for programs with that BRDF. Exposure multiplies what the surface emits.
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure);
 
+/// The same for programs of a precision: in 16-bit floats the roughness has its floor, and light its limit.
+MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure, Precision precision);
+
 struct LightsBlock {
     Float3 ambient;
     std::array<Float3, 9> sky;
@@ -70,6 +84,9 @@ struct LightsBlock {
     std::array<Float3, Permutation::kMaxLights> punctualRadiance; ///< Intensity / pi
     std::array<Float3, Permutation::kMaxLights> punctualAxis;     ///< Unit
     std::array<Float2, Permutation::kMaxLights> punctualCone;     ///< Scale, offset
+    /// For 16-bit floats alone, see fitToFp16(): what the vector to the light is scaled with, and 1 / range^2
+    /// over the square of it.
+    std::array<float, Permutation::kMaxLights> punctualScale{}, punctualWindow{};
 };
 
 /// Each writes one light's share of the block. Exposure multiplies all light, so that it costs nothing per
@@ -80,13 +97,21 @@ void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposu
 void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLight& light,
                        const Double3& cameraPosition, float exposure);
 
+/// Brings a packed block within 16-bit floats, for programs of Precision::Fp16. farthest: of what is lit,
+/// from the eye, m. No light becomes dimmer that does not make every surface white.
+void fitToFp16(LightsBlock& block, float farthest);
+
 struct FrameBlock {
     Float3 cameraPosition; ///< In the space that ObjectBlock::model leads to, m
     Float9 clipToSky;      ///< (x, y, 1) in clip space to a direction in the sky
     float skyRange;        ///< The largest radiance that a sky texel can hold, times the exposure
     float reflectionScale; ///< Root of the range, times the exposure, of the sky as rough mirrors show it
     Float3 dither;         ///< Amplitude per channel, in output units
+    float lengthScale = 1; ///< Of vectors to the eye in 16-bit floats: see lengthScaleFp16()
 };
+
+/// FrameBlock::lengthScale for a farthest surface at that distance from the eye, m; at most 1.
+float lengthScaleFp16(float farthest);
 
 /// The dither amplitude of a target with that many bits in each channel (1-16): one step of its codes.
 Float3 packDither(const std::array<int, 3>& bits);

@@ -123,6 +123,12 @@ enum class View : std::uint8_t { Shaded, BaseColor, Normal, RoughnessMetallic, O
 /// Which of several equal forms of a snippet is used.
 enum class Target : std::uint8_t { Generic, Vc4 };
 
+/// What a GPU computes fragments in (franken::Capabilities measures it; GL's own answers are wrong).
+enum class Precision : std::uint8_t {
+    Fp32, ///< 32-bit floats, or nearly.
+    Fp16, ///< 16-bit floats: roughness from 0.3 up, and lengths scaled by the vertex shader.
+};
+
 /// Every choice that changes the text of a program, and nothing else. A default-constructed one is an
 /// opaque, untextured, unlit-by-anything surface; each member's first value is its default.
 struct Permutation {
@@ -164,6 +170,7 @@ struct Permutation {
 
     Target target = Target::Generic;
     bool facingWorkaround = false; ///< Back faces are found by N.V: for drivers whose gl_FrontFacing lies.
+    Precision precision = Precision::Fp32;
 
     friend bool operator==(const Permutation&, const Permutation&) = default;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/generator/permutation.h"
 #include "franken/gl.h"
 
 namespace FRANKEN_API franken {
@@ -17,7 +18,12 @@ struct Capabilities {
     bool parallelCompile = false; ///< It tells whether it is still compiling: GL_KHR_parallel_shader_compile.
     bool compilesForStaleTextures = false; ///< Mesa's vc4 and v3d: see texture_reset.h.
 
-    /// Asks the context. To be called once, not in a frame.
+    /// What fragments compute in, measured by a pixel that is drawn: where that fails, Fp32. Mesa's lima says
+    /// 23 bits and GL_FRAGMENT_PRECISION_HIGH, and has 10 bits.
+    Precision precision = Precision::Fp32;
+
+    /// Asks the context, and draws a pixel in a target of its own. To be called once, not in a frame: state
+    /// is changed afterwards, but not the framebuffer that is bound and the viewport.
     static Capabilities query(const Gl& gl);
 };
 

@@ -27,6 +27,8 @@ struct Look {
     View view = View::Shaded;
     Target target = Target::Generic;
     bool facingWorkaround = false;
+    /// A renderer puts in what its context computes in (Capabilities::precision).
+    Precision precision = Precision::Fp32;
 };
 
 /// Which of a primitive's optional attributes are there, and other properties of its vertices that choose

@@ -1,0 +1,241 @@
+#version 100
+// FrankenShader basecolor.metalrough.normal+ambient+sun1+punctual1+spots+aces+fp16
+//   baseColorTexture: 1
+//   metallicRoughness: metalrough
+//   normal: 1
+//   ambient: ambient
+//   suns: sun1
+//   punctualLights: punctual1
+//   spots: 1
+//   toneMap: aces
+//   precision: 1
+//
+// FRAGMENT SHADER
+//
+precision mediump float;
+
+varying vec2 vUv0;
+varying vec3 vNormal;
+varying vec3 vToCamera;
+varying vec3 vTangent;
+varying vec3 vBitangent;
+varying vec3 vToPunctual0;
+
+uniform vec3 uAmbient; // lights: linear radiance
+uniform vec3 uSun0Direction; // lights: towards the sun, unit, world space
+uniform vec3 uSun0Radiance; // lights: linear irradiance / pi
+uniform vec3 uPunctual0Radiance; // lights: linear intensity / pi, times the square of the scale
+uniform float uPunctual0Window; // lights: 1 / range^2, over the square of the scale
+uniform vec3 uPunctual0Axis; // lights: where it shines, unit, world space
+uniform vec2 uPunctual0Cone; // lights: scale and offset, by 1 - cos
+uniform vec4 uBaseColor; // material: linear RGB and alpha
+uniform vec2 uMetallicRoughness; // material: factors, 0-1
+
+uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
+uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
+uniform sampler2D uMetallicRoughnessTexture; // material: linear
+
+// The inverse of the sRGB transfer curve (IEC 61966-2-1). c: codes, 0-1. Returns linear light, 0-1.
+vec3 srgbToLinear(vec3 c) {
+  vec3 low = c * (1.0 / 12.92);
+  vec3 high = pow(c * (1.0 / 1.055) + 0.055 / 1.055, vec3(2.4));
+  return mix(high, low, step(c, vec3(0.04045)));
+}
+
+float squareRoot(float x) {
+  return sqrt(x);
+}
+
+float inverseSquareRoot(float x) {
+  return inversesqrt(x);
+}
+
+float reciprocal(float x) {
+  return 1.0 / x;
+}
+
+// texel: as stored. The frame's axes may have any length; x and y carry the map's scale.
+vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
+  vec3 n = texel - 0.5;
+  n = n.x * tangent + n.y * bitangent + n.z * normal;
+  return n * inverseSquareRoot(dot(n, n));
+}
+
+struct Surface {
+  float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
+  float metal; // metalness
+  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
+  float slope; // 1 - alpha^2, with alpha = roughness^2
+  vec2 smith; // coefficients of the shadowing, by BRDF
+  float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
+};
+
+struct Angles {
+  float nDotL; // N.L, at least 0
+  float nDotH2; // (N.H')^2
+  float sine2; // |N x H'|^2
+  float h2; // |H'|^2, kept off 0
+  float fresnel; // F: Schlick's (1 - V.H)^5
+};
+
+// Returns what F_0 is not: F = F_0 + (1 - F_0) fresnel.
+float fresnel(float vDotH) {
+  // Schlick, "An Inexpensive BRDF Model for Physically-based Rendering", 1994, equation 15.
+  float x = 1.0 - vDotH;
+  float x2 = x * x;
+  return x2 * x2 * x;
+}
+
+// The denominator d of pi D = alpha^2 |H'|^4 / d^2. surface.slope holds alpha^2 here: surface/slope.fp16.
+float denominatorD(Angles angles, Surface surface) {
+  // GGX: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", 2007, equation 33. Its
+  // |H'|^2 - (N.H')^2 is |N x H'|^2 by Lagrange's identity: as a difference it would have too few digits.
+  return angles.nDotH2 * surface.slope + angles.sine2;
+}
+
+// The denominator of V = 0.5 / denominatorV; packMaterial and surfaceOf fold alpha^2 / 2 into it.
+float denominatorV(Angles angles, float nDotV, Surface surface) {
+  // Smith's shadowing, correlated by height: Heitz, "Understanding the Masking-Shadowing Function in
+  // Microfacet-Based BRDFs", 2014, equation 99.
+  float smithL = nDotV * squareRoot(angles.nDotL * (angles.nDotL * surface.smith.x) + surface.smith.y);
+  float smithV = angles.nDotL * squareRoot(nDotV * (surface.smith.x * nDotV) + surface.smith.y);
+  return smithV + smithL;
+}
+
+// Returns pi D V, at most 500: what is brighter is white in any light.
+float specularLobe(Angles angles, float nDotV, Surface surface) {
+  float peak = angles.h2 * reciprocal(denominatorD(angles, surface)); // 1 to 1 / alpha^2
+  return min((surface.gain * peak) * peak * reciprocal(denominatorV(angles, nDotV, surface)), 500.0);
+}
+
+// metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
+Surface surfaceOf(float metallic, float roughness) {
+  float r = max(roughness, 0.001);
+  float alpha2 = (r * (r * r)) * r;
+  Surface surface;
+  surface.diffuse = 0.96 - 0.96 * metallic;
+  surface.metal = metallic;
+  surface.clear = 0.96 + 0.04 * metallic;
+  surface.slope = 1.0 - alpha2;
+  surface.smith = vec2(surface.slope, alpha2);
+  surface.gain = 0.5 * alpha2;
+  return surface;
+}
+
+struct Sum {
+  vec3 diffuse; // what the base colour tints, a metal's specular light included
+  vec3 specular; // what it does not tint
+};
+
+struct View {
+  vec3 normal; // N: unit, world space
+  vec3 toCamera; // V: unit, world space
+  float nDotV; // N.V, kept off 0, where visibility would divide by it
+};
+
+// normal: unit. toCamera: any length.
+View viewOf(vec3 normal, vec3 toCamera) {
+  vec3 v = toCamera * inverseSquareRoot(dot(toCamera, toCamera));
+  return View(normal, v, max(dot(normal, v), 1.0e-4));
+}
+
+struct Light {
+  vec3 direction; // L: towards the light, unit, world space
+  vec3 radiance; // irradiance / pi
+};
+
+Angles anglesOf(Light light, View view) {
+  vec3 halfVector = view.toCamera + light.direction;
+  vec3 crossed = cross(view.normal, halfVector);
+  float h2 = max(dot(halfVector, halfVector), 0.01);
+  float nDotL = max(dot(view.normal, light.direction), 0.0);
+  float nDotH = nDotL + view.nDotV;
+  return Angles(nDotL, nDotH * nDotH, dot(crossed, crossed), h2, fresnel(squareRoot(0.25 * h2)));
+}
+
+void addLight(Light light, View view, Surface surface, inout Sum sum) {
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
+  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  Angles angles = anglesOf(light, view);
+  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float specular = specularLobe(angles, view.nDotV, surface);
+  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
+}
+
+// distance2, inverseRange2: in squares of the scaled unit; inverseRange2 is 0 where the range is infinite.
+float distanceAttenuation(float distance2, float inverseRange2) {
+  // Inverse square with a window at the range: KHR_lights_punctual, "Range Property". The ratio is clipped before it is
+  // squared, which could overflow.
+  float d = min(distance2 * inverseRange2, 1.0);
+  return (1.0 - d * d) / distance2;
+}
+
+// toLight: scaled, at most 60 long. intensity: over pi. The radiance ends where any surface is white.
+Light pointLight(vec3 toLight, vec3 intensity, float inverseRange2) {
+  float distance2 = max(dot(toLight, toLight), 1.0e-4);
+  vec3 direction = toLight * inverseSquareRoot(distance2);
+  return Light(direction, min(intensity * distanceAttenuation(distance2, inverseRange2), 16.0));
+}
+
+// axis: where the light shines, unit. cone: scale and offset that fitToFp16 made.
+float coneAttenuation(vec3 toLight, vec3 axis, vec2 cone) {
+  // KHR_lights_punctual, "Inner and Outer Cone Angles", by 1 - cos = |toLight + axis|^2 / 2: a narrow cone's cosines
+  // differ in few digits.
+  vec3 aside = toLight + axis;
+  float c = clamp(cone.y - dot(aside, aside) * cone.x, 0.0, 1.0);
+  return c * c;
+}
+
+// See pointLight and coneAttenuation.
+Light spotLight(vec3 toLight, vec3 intensity, float inverseRange2, vec3 axis, vec2 cone) {
+  Light light = pointLight(toLight, intensity, inverseRange2);
+  light.radiance *= coneAttenuation(light.direction, axis, cone);
+  return light;
+}
+
+// c: linear radiance, 0 and up. Returns 0-1, and slightly above for the brightest.
+vec3 toneMap(vec3 c) {
+  return c * (2.51 * c + 0.03) / (c * (2.43 * c + 0.59) + 0.14);
+}
+
+// The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
+vec3 linearToDisplay(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  vec3 high = 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055;
+  return mix(high, 12.92 * c, step(c, vec3(0.0031308)));
+}
+
+void main() {
+  vec4 base = texture2D(uBaseColorTexture, vUv0);
+  base.rgb = srgbToLinear(base.rgb);
+  base *= uBaseColor;
+
+  vec3 normal = mapNormal(texture2D(uNormalTexture, vUv0).xyz, vTangent, vBitangent, vNormal);
+
+  vec3 orm = texture2D(uMetallicRoughnessTexture, vUv0).rgb;
+  float metallic = orm.b * uMetallicRoughness.x;
+  float roughness = orm.g * uMetallicRoughness.y;
+  roughness = max(roughness, 0.3);
+
+  Surface surface = surfaceOf(metallic, roughness);
+  surface.slope = (roughness * roughness) * (roughness * roughness); // alpha^2: 1 - alpha^2 has too few digits
+
+  vec3 irradiance = uAmbient;
+  Sum sum;
+  sum.diffuse = irradiance;
+  sum.specular = vec3(0.0);
+
+  View view = viewOf(normal, vToCamera);
+
+  addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
+  Light spotPunctual0 = spotLight(vToPunctual0, uPunctual0Radiance, uPunctual0Window, uPunctual0Axis, uPunctual0Cone);
+  addLight(spotPunctual0, view, surface, sum);
+
+  vec3 color = base.rgb * sum.diffuse + sum.specular;
+  color = min(color, 64.0);
+
+  color = toneMap(color);
+  color = linearToDisplay(color);
+  gl_FragColor = vec4(color, 1.0);
+}
