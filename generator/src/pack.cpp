@@ -52,7 +52,7 @@ Float4 packReflectance(float metallic, Brdf brdf) {
     const float dielectric = 0.04f * (1 - metallic);
     if (brdf == Brdf::Seed)
         return {(1 - metallic) * (1 - dielectric), metallic, dielectric, (1 - metallic) * metallic};
-    return {0.96f * (1 - metallic), metallic, dielectric, 1 - dielectric};
+    return {kDielectricScatters * (1 - metallic), metallic, dielectric, 1 - dielectric};
 }
 
 // Of what is summed up, and of a light (as in lights/distance_attenuation.fp16).
@@ -109,7 +109,7 @@ void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure) {
                                  0.48860251f * 2 / 3, 1.09254843f / 4,     1.09254843f / 4,
                                  0.31539157f / 4,     1.09254843f / 4,     0.54627422f / 4};
     for (std::size_t i = 0; i < sky.size(); ++i)
-        block.sky[i] = scaled(sky[i], kFactors[i] * exposure);
+        block.sky[i] = scaled(sky[i], kFactors[i] * exposure / kDielectricScatters);
 }
 
 void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure) {

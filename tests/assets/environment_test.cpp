@@ -48,14 +48,14 @@ LightsBlock pack(const Environment& sky) {
     return block;
 }
 
-/// Irradiance / pi as ambient_sky.glsl computes it from what packSky() gives it.
+/// What the programs show on a white dielectric: irradiance / pi.
 glm::dvec3 irradianceByCoefficients(const LightsBlock& block, const glm::vec3& n) {
     const float basis[9] = {
         1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
     glm::dvec3 sum(0);
     for (std::size_t i = 0; i < 9; ++i)
         sum += glm::dvec3(block.sky[i][0], block.sky[i][1], block.sky[i][2]) * static_cast<double>(basis[i]);
-    return sum;
+    return sum * static_cast<double>(kDielectricScatters);
 }
 
 /// Irradiance / pi, by a sum over all texels of an equirectangular sky.
@@ -240,7 +240,8 @@ TEST(Environment, SunIsHandedOver) {
     EXPECT_GT(-glm::dot(glm::vec3(sun->direction[0], sun->direction[1], sun->direction[2]), towards),
               0.99995f);
     // The sky lost what the sun has: its zeroth coefficient times 2 sqrt(pi) is the light from everywhere.
-    const float lost = (before.sky[0][0] - pack(sky).sky[0][0]) * 4 * std::numbers::pi_v<float>;
+    const float lost =
+        (before.sky[0][0] - pack(sky).sky[0][0]) * 4 * std::numbers::pi_v<float> * kDielectricScatters;
     EXPECT_NEAR(lost / sun->illuminance, 1, 0.001);
     EXPECT_EQ(radianceFrom(sky, -towards), glm::vec3(0.5f));
     EXPECT_LT(radianceFrom(sky, towards).r, 100);

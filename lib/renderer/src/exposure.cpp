@@ -16,7 +16,7 @@ double luminance(const Float3& color) { return 0.2126 * color[0] + 0.7152 * colo
 /// Irradiance over pi along +-X, +-Y and +-Z, the most of them: the polynomial that packSky() folds.
 double brightestSide(const SkyCoefficients& sky) {
     LightsBlock block{};
-    packSky(block, sky, 1);
+    packSky(block, sky, kDielectricScatters);
     const auto at = [&block](std::size_t i) { return luminance(block.sky[i]); };
     const double x = std::abs(at(3)) + at(0) - at(6) + at(8), y = std::abs(at(1)) + at(0) - at(6) - at(8),
                  z = std::abs(at(2)) + at(0) + 2 * at(6);

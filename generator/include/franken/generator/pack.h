@@ -34,6 +34,9 @@ inline constexpr float kMaxLengthFp16 = 60;
 /// / 2): 0.0625, 0.088 ... 0.707, 1; smoother surfaces show the first.
 inline constexpr int kReflectionLevels = 9;
 
+/// What a dielectric scatters of the light that comes in; it reflects the rest where it faces the eye.
+inline constexpr float kDielectricScatters = 0.96f;
+
 /// How far the direction in which a rough surface reflects the sky is bent towards N: the direction is
 /// (2 N.V + bend (1 - N.V)) N - V. A dielectric's is bent less than a metal's: at an angle it shows mostly
 /// what Fresnel's term adds, which is light off facets that face away from the eye. Fitted to brute force
@@ -91,6 +94,9 @@ struct LightsBlock {
 
 /// Each writes one light's share of the block. Exposure multiplies all light, so that it costs nothing per
 /// pixel. index: 0 to kMaxLights - 1.
+///
+/// packSky() divides by kDielectricScatters. Only programs without the sky's reflection take coefficients:
+/// there a dielectric scatters what it would reflect as well, and a white one shows the irradiance over pi.
 void packAmbient(LightsBlock& block, const Float3& radiance, float exposure);
 void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure);
 void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure);
