@@ -40,7 +40,10 @@ FakeKms::FakeKms() {
     connector.connection = Connection::Connected;
     connector.modes = {fakeMode(1920, 1080, true), fakeMode(1280, 720, false)};
     connector.possibleCrtcs = 1;
-    give(connector, {"CRTC_ID"});
+    give(connector, {"CRTC_ID", "Broadcast RGB", "left margin", "right margin", "top margin", "bottom margin",
+                     "max bpc", "link-status"});
+    connector.properties["Broadcast RGB"].choices = {{"Automatic", 0}, {"Full", 1}, {"Limited 16:235", 2}};
+    connector.properties["link-status"].choices = {{"Good", 0}, {"Bad", 1}};
     KmsObject crtc{2, {}};
     give(crtc, {"MODE_ID", "ACTIVE"});
     KmsPlane plane;
@@ -67,8 +70,18 @@ int FakeKms::commit(const KmsRequest& request, std::uint32_t flags, std::uint64_
     if (request.size() == 1)
         return ++offs, 0;
     ++((flags & DRM_MODE_ATOMIC_ALLOW_MODESET) != 0 ? modesets : flips);
+    if ((flags & DRM_MODE_ATOMIC_ALLOW_MODESET) != 0)
+        lastModeset = request;
     lastFrame = frame;
     return 0;
+}
+
+std::optional<std::uint64_t> FakeKms::wasSet(const KmsObject& object, const std::string& name) const {
+    const KmsProperty* property = object.find(name);
+    for (const KmsAssignment& set : lastModeset)
+        if (property != nullptr && set.object == object.id && set.property == property->id)
+            return set.value;
+    return std::nullopt;
 }
 
 int FakeKms::readFlips(std::vector<KmsFlip>& out) {

@@ -25,6 +25,9 @@ public:
     int modesets = 0, flips = 0, offs = 0;
     std::set<std::uint32_t> framebuffers, blobs;
     std::uint64_t lastFrame = 0;
+    KmsRequest lastModeset;
+    /// What the last modeset set the property of an object to; nothing where it did not set it.
+    std::optional<std::uint64_t> wasSet(const KmsObject& object, const std::string& name) const;
     std::deque<KmsFlip> answers;
     void answer(std::uint32_t sequence, Nanoseconds time) { answers.push_back({lastFrame, sequence, time}); }
 

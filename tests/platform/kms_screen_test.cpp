@@ -225,6 +225,118 @@ TEST_F(KmsScreenTest, TurnsThePictureAsThePanelIsMounted) {
     EXPECT_EQ(screen->layout().rotation, Rotation::ThreeQuarters);
 }
 
+TEST_F(KmsScreenTest, SetsTheRangeOfCodesAndTheMarginsKnowingly) {
+    for (const auto& [range, code] :
+         {std::pair(RgbRange::Full, 1), {RgbRange::Limited, 2}, {RgbRange::Automatic, 0}}) {
+        FakeKms fake;
+        KmsScreen limited(fake, buffers, {.range = range, .margins = {1, 2, 3, 4}}, 4096, Log());
+        limited.update(now);
+        limited.present(11, now);
+        const KmsConnector& connector = fake.resources.connectors[0];
+        EXPECT_EQ(fake.wasSet(connector, "Broadcast RGB"), code);
+        EXPECT_EQ(fake.wasSet(connector, "left margin"), 1u);
+        EXPECT_EQ(fake.wasSet(connector, "right margin"), 2u);
+        EXPECT_EQ(fake.wasSet(connector, "top margin"), 3u);
+        EXPECT_EQ(fake.wasSet(connector, "bottom margin"), 4u);
+    }
+}
+
+TEST_F(KmsScreenTest, DoesWithoutPropertiesThatTheDriverLacks) {
+    KmsConnector& connector = device.resources.connectors[0];
+    for (const char* name : {"Broadcast RGB", "left margin", "right margin", "top margin", "bottom margin"})
+        connector.properties.erase(name);
+    open({.range = RgbRange::Limited, .margins = {1, 1, 1, 1}});
+    screen->present(11, now);
+    EXPECT_TRUE(flip(1));
+}
+
+TEST_F(KmsScreenTest, ShowsTenBitsWherePlaneAndDriverHaveThem) {
+    const auto formatOf = [&] {
+        open({.format = PixelFormat::Rgb10});
+        screen->present(11, now);
+        flip(1);
+        return screen->layout().format.format;
+    };
+    EXPECT_EQ(formatOf(), PixelFormat::Rgb8) << "the plane has no XR30";
+    EXPECT_FALSE(device.wasSet(device.resources.connectors[0], "max bpc"));
+    device.resources.planes[0].formats[DRM_FORMAT_XRGB2101010] = {DRM_FORMAT_MOD_LINEAR};
+    EXPECT_EQ(formatOf(), PixelFormat::Rgb10);
+    EXPECT_EQ(device.wasSet(device.resources.connectors[0], "max bpc"), 10u);
+    device.test = [](const KmsBuffer& buffer) {
+        return buffer.format == DRM_FORMAT_XRGB2101010 ? -EINVAL : 0;
+    };
+    EXPECT_EQ(formatOf(), PixelFormat::Rgb8) << "TEST_ONLY refuses it";
+}
+
+TEST_F(KmsScreenTest, AnotherScreenIsSetWithoutARestart) {
+    open();
+    screen->present(11, now);
+    flip(1);
+    KmsConnector& connector = device.resources.connectors[0];
+    const std::vector<drm_mode_modeinfo> modes = std::exchange(connector.modes, {});
+    connector.connection = Connection::Disconnected;
+    screen->update(now);
+    EXPECT_EQ(screen->state(), SurfaceState::NoScreen);
+    connector.connection = Connection::Connected;
+    connector.modes = {fakeMode(800, 480, true)};
+    const int before = screen->layoutCount();
+    screen->update(now);
+    ASSERT_EQ(screen->state(), SurfaceState::Ready) << screen->status();
+    EXPECT_EQ(screen->layout().mode.buffer, (Size{800, 480}));
+    EXPECT_EQ(screen->layoutCount(), before + 1);
+    screen->present(12, now);
+    EXPECT_TRUE(flip(2));
+    EXPECT_EQ(device.modesets, 2);
+}
+
+TEST_F(KmsScreenTest, ABadLinkIsSetAgain) {
+    open();
+    screen->present(11, now);
+    flip(1);
+    device.resources.connectors[0].properties["link-status"].value = 1;
+    screen->update(now);
+    screen->present(12, now);
+    EXPECT_TRUE(flip(2));
+    EXPECT_EQ(device.modesets, 2);
+}
+
+TEST_F(KmsScreenTest, APanelComesBeforeAPlugUnlessAnotherOutputIsNamed) {
+    KmsConnector panel = device.resources.connectors[0];
+    panel.id = 8;
+    panel.name = "DSI-1";
+    device.resources.connectors.push_back(panel);
+    open();
+    EXPECT_TRUE(screen->status().starts_with("DSI-1")) << screen->status();
+    open({.output = "HDMI-A-1"});
+    EXPECT_TRUE(screen->status().starts_with("HDMI-A-1")) << screen->status();
+    open({.output = "HDMI-A-2"});
+    EXPECT_EQ(screen->status(), "no screen is connected to HDMI-A-2");
+}
+
+TEST_F(KmsScreenTest, TheCrtcIsOneThatIsPossibleAndServesNobodyElse) {
+    const auto addCrtc = [&](std::uint32_t id) {
+        KmsObject crtc = device.resources.crtcs[0];
+        crtc.id = id;
+        KmsPlane plane = device.resources.planes[0];
+        plane.id = id + 1;
+        plane.possibleCrtcs = 1u << device.resources.crtcs.size();
+        device.resources.crtcs.push_back(crtc);
+        device.resources.planes.push_back(plane);
+    };
+    addCrtc(20);
+    addCrtc(30);
+    KmsConnector other = device.resources.connectors[0];
+    other.id = 9;
+    other.name = "HDMI-A-2";
+    other.properties["CRTC_ID"].value = 20;
+    device.resources.connectors.push_back(other);
+    device.resources.connectors[0].possibleCrtcs = 0b110;
+    device.resources.connectors[0].properties["CRTC_ID"].value = 0; // No encoder is attached: after a boot.
+    open();
+    screen->present(11, now);
+    EXPECT_EQ(device.wasSet(device.resources.connectors[0], "CRTC_ID"), 30u);
+}
+
 TEST_F(KmsScreenTest, CountsAFrameThatCameLate) {
     open();
     screen->present(11, now);
