@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "franken/baked_sky.h"
+#include "image/exr.h"
 #include "image/hdr.h"
 #include "require.h"
+#include "sky/hdre.h"
 
 namespace {
 
@@ -13,7 +15,13 @@ using namespace franken;
 constexpr int kMaxSize = 512;
 constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
 
-void check(const Result<FloatImage>& image) {
+void checkTexels(const std::vector<glm::vec3>& texels) {
+    for (const glm::vec3& texel : texels)
+        for (int i = 0; i < 3; ++i)
+            require(texel[i] >= 0 && texel[i] <= 1e9f, "radiances in range");
+}
+
+template <typename Picture> void check(const Result<Picture>& image) {
     if (!image) {
         require(!image.error().code.empty() && !image.error().what.empty(), "an error says what");
         return;
@@ -21,16 +29,19 @@ void check(const Result<FloatImage>& image) {
     require(image->texels.size() ==
                 static_cast<std::size_t>(image->width) * static_cast<std::size_t>(image->height),
             "all texels");
-    for (const glm::vec3& texel : image->texels)
-        for (int i = 0; i < 3; ++i)
-            require(texel[i] >= 0 && texel[i] <= 1e9f, "radiances in range");
+    checkTexels(image->texels);
 }
 
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::span<const std::uint8_t> bytes(data, size);
-    check(isHdr(bytes) ? decodeHdr(bytes, kMaxSize, kMaxBytes) : decodeSrgbImage(bytes, kMaxSize, kMaxBytes));
+    if (isHdre(bytes))
+        check(decodeHdre(bytes, kMaxSize, kMaxBytes));
+    else
+        check(isHdr(bytes)   ? decodeHdr(bytes, kMaxSize, kMaxBytes)
+              : isExr(bytes) ? decodeExr(bytes, kMaxSize, kMaxBytes)
+                             : decodeSrgbImage(bytes, kMaxSize, kMaxBytes));
     const auto baked = decodeBakedSky(bytes);
     require(baked || baked.error().code == "sky.baked", "a documented code");
     return 0;

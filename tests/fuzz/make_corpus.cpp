@@ -7,6 +7,9 @@
 #include <iostream>
 #include <sstream>
 
+#ifdef FRANKEN_TINYEXR
+#include "exr_file.h"
+#endif
 #include "franken/baked_sky.h"
 #include "malformed/malformed.h"
 #include "malformed/pictures.h"
@@ -30,6 +33,19 @@ std::string bakedSky() {
     sky.sun = franken::Sun{.direction = {0, -1, 0}, .color = {1, 1, 1}};
     const auto bytes = franken::encodeBakedSky(sky);
     return {bytes.begin(), bytes.end()};
+}
+
+/// The smallest of each kind: one face of a texel, and pictures of a few texels.
+void writeFloatSkies(const fs::path& folder) {
+    std::string hdre("HDRE\0\0\x40\x40\1\0\1\0\0\0\0\0\3\0\x20\0\0\1\0\0\0\0\0\0\3\0", 30);
+    hdre.resize(256 + 6 * 6 * 12);
+    write(folder, "hdre", hdre);
+#ifdef FRANKEN_TINYEXR
+    for (int compression = 0; compression < 5; ++compression)
+        for (const int tile : {0, 4})
+            write(folder, "exr" + std::to_string(compression) + "-" + std::to_string(tile),
+                  franken::test::exrBytes({.width = 8, .height = 4, .compression = compression, .tile = tile}));
+#endif
 }
 
 void writeNames(const fs::path& folder, const std::string& file) {
@@ -61,6 +77,7 @@ int main(int argc, char** argv) {
         write(folder / "sky", progressive ? "progressive" : "baseline",
               pictures::jpeg(32, 16, progressive, 5));
     write(folder / "sky", "baked", bakedSky());
+    writeFloatSkies(folder / "sky");
     writeNames(folder, argv[2]);
     for (const char* part : {"gltf", "sky", "manifest", "permutation"}) {
         const auto count = std::distance(fs::directory_iterator(folder / part), fs::directory_iterator());

@@ -57,14 +57,17 @@ struct SkyLimits {
 /// - a picture of 3 x 4 squares: a cross with -X and +X beside the second square of +Y, +Z, -Y, -Z, the last
 ///   one upside down;
 /// - a folder with six pictures, whose names without extension are, or end in, px nx py ny pz nz after a
-///   character that is no letter.
-/// Pictures are Radiance .hdr (its EXPOSURE and GAMMA lines are not applied, as in most programs), or PNG and
-/// JPEG, which are taken as sRGB. The squares of crosses and the faces of folders are oriented as cube map
+///   character that is no letter;
+/// - an HDRE environment (.hdre) of 32-bit floats: its level 0, Layout::Cube.
+/// Pictures are Radiance .hdr (its EXPOSURE and GAMMA lines are not applied, as in most programs), OpenEXR (one
+/// part of lines or tiles; R, G and B, or Y; not packed, or by RLE, ZIP or PIZ; in builds with tinyexr), or PNG
+/// and JPEG, which are taken as sRGB. The squares of crosses and the faces of folders are oriented as cube map
 /// faces; seen by a person, each is then a mirror image, and neighbours in a cross fit together.
 ///
 /// Files may be broken, or an enemy's. Fails with "sky.file" (cannot be read, or too large), "sky.shape"
 /// (another aspect ratio, faces missing or of different sizes), "sky.limit" (more memory than `limits`
-/// allow), "hdr.format", "hdr.size" or an error of decodeImage().
+/// allow), "hdr.format", "hdr.size", "hdre.format", "hdre.size", "exr.format", "exr.size", "exr.absent" (a build
+/// without tinyexr) or an error of decodeImage().
 Result<Environment> loadEnvironment(const std::filesystem::path& path, const SkyLimits& limits = {});
 
 /// Likewise, from six pictures in the order +X, -X, +Y, -Y, +Z, -Z.

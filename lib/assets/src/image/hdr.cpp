@@ -125,7 +125,7 @@ glm::vec3 toRadiance(const Rgbe& texel) {
     if (texel[3] == 0)
         return glm::vec3(0);
     const float scale = std::ldexp(1.0f, texel[3] - 136);
-    return glm::min(glm::vec3(texel[0], texel[1], texel[2]) * scale, kMaxRadiance);
+    return clampedRadiance(glm::vec3(texel[0], texel[1], texel[2]) * scale);
 }
 
 } // namespace
@@ -133,6 +133,12 @@ glm::vec3 toRadiance(const Rgbe& texel) {
 bool isHdr(std::span<const std::uint8_t> file) {
     return file.size() >= kMagic.size() && file[0] == '#' && file[1] == '?';
 }
+
+bool isFinite(const glm::vec3& texel) {
+    return std::isfinite(texel.r) && std::isfinite(texel.g) && std::isfinite(texel.b);
+}
+
+glm::vec3 clampedRadiance(const glm::vec3& texel) { return glm::clamp(texel, 0.0f, kMaxRadiance); }
 
 Error memoryError(std::string where) {
     return {"sky.limit", std::move(where), "the sky needs more memory than the limit",

@@ -24,6 +24,12 @@ struct FloatImage {
 /// Whether these bytes start as a Radiance picture does.
 bool isHdr(std::span<const std::uint8_t> file);
 
+/// Whether a decoded texel is a number at all.
+bool isFinite(const glm::vec3& texel);
+
+/// Within the range of FloatImage::texels.
+glm::vec3 clampedRadiance(const glm::vec3& texel);
+
 /// "sky.limit": a sky that needs more memory than SkyLimits allow.
 Error memoryError(std::string where);
 

@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "franken/file.h"
+#include "image/exr.h"
 #include "image/hdr.h"
+#include "sky/hdre.h"
 #include "sky/sky.h"
 
 namespace franken {
@@ -16,19 +18,27 @@ namespace fs = std::filesystem;
 
 constexpr std::array<std::string_view, 6> kFaceNames{"px", "nx", "py", "ny", "pz", "nz"};
 
-/// One picture, which may take `room` bytes while and after it is read.
-Result<FloatImage> loadPicture(const fs::path& path, std::size_t maxFileBytes, std::size_t room) {
+Error at(const fs::path& path, Error error) {
+    error.where = path.string();
+    return error;
+}
+
+/// One picture, which may take `room` bytes.
+Result<FloatImage> decodePicture(std::span<const std::uint8_t> file, std::size_t room) {
+    if (isHdre(file))
+        return Error{"sky.shape", "", "an HDRE environment is all six faces", "give it alone, as the sky"};
+    return isHdr(file)   ? decodeHdr(file, kMaxSkyWidth, room)
+           : isExr(file) ? decodeExr(file, kMaxSkyWidth, room)
+                         : decodeSrgbImage(file, kMaxSkyWidth, room);
+}
+
+/// One face, which may take `room` bytes while and after it is read.
+Result<FloatImage> loadFace(const fs::path& path, std::size_t maxFileBytes, std::size_t room) {
     const auto bytes = readSkyFile(path, std::min(maxFileBytes, room));
     if (!bytes)
         return bytes.error();
-    room -= bytes->size();
-    Result<FloatImage> picture =
-        isHdr(*bytes) ? decodeHdr(*bytes, kMaxSkyWidth, room) : decodeSrgbImage(*bytes, kMaxSkyWidth, room);
-    if (picture)
-        return picture;
-    Error error = picture.error();
-    error.where = path.string();
-    return error;
+    Result<FloatImage> picture = decodePicture(*bytes, room - bytes->size());
+    return picture ? std::move(picture) : at(path, picture.error());
 }
 
 /// Appends the square of a cross to the faces of a cube.
@@ -57,10 +67,9 @@ Environment fromCross(const FloatImage& cross) {
     return sky;
 }
 
-Result<Environment> loadSinglePicture(const fs::path& path, const SkyLimits& limits) {
-    Result<FloatImage> picture = loadPicture(path, limits.maxFileBytes, limits.maxMemoryBytes);
+Result<Environment> fromPicture(const fs::path& path, Result<FloatImage> picture, const SkyLimits& limits) {
     if (!picture)
-        return picture.error();
+        return at(path, picture.error());
     const int width = picture->width, height = picture->height;
     if (width == 2 * height)
         return Environment{Environment::Layout::Equirect, width, height, std::move(picture->texels)};
@@ -73,6 +82,20 @@ Result<Environment> loadSinglePicture(const fs::path& path, const SkyLimits& lim
     return Error{"sky.shape", path.string(),
                  "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " is no sky",
                  "use 2:1 for an equirectangular sky, 4:3 or 3:4 for a cross, or a folder of six faces"};
+}
+
+Result<Environment> loadSingleFile(const fs::path& path, const SkyLimits& limits) {
+    auto bytes = readSkyFile(path, std::min(limits.maxFileBytes, limits.maxMemoryBytes));
+    if (!bytes)
+        return bytes.error();
+    const std::size_t room = limits.maxMemoryBytes - bytes->size();
+    if (isHdre(*bytes)) {
+        Result<Environment> sky = decodeHdre(*bytes, kMaxSkyWidth / 4, room);
+        return sky ? std::move(sky) : at(path, sky.error());
+    }
+    Result<FloatImage> picture = decodePicture(*bytes, room);
+    *bytes = {};
+    return fromPicture(path, std::move(picture), limits);
 }
 
 /// Whether a file's name without its extension is that of the face, or ends in it after another word.
@@ -120,14 +143,14 @@ Result<std::vector<std::uint8_t>> readSkyFile(const fs::path& path, std::size_t 
 
 Result<Environment> loadEnvironment(const fs::path& path, const SkyLimits& limits) {
     std::error_code ignored;
-    return fs::is_directory(path, ignored) ? loadFolder(path, limits) : loadSinglePicture(path, limits);
+    return fs::is_directory(path, ignored) ? loadFolder(path, limits) : loadSingleFile(path, limits);
 }
 
 Result<Environment> loadEnvironment(const std::array<fs::path, 6>& faces, const SkyLimits& limits) {
     Environment sky{Environment::Layout::Cube, 0, 0, {}};
     for (const fs::path& path : faces) {
         const std::size_t held = sky.texels.capacity() * sizeof(glm::vec3);
-        const Result<FloatImage> face = loadPicture(path, limits.maxFileBytes, limits.maxMemoryBytes - held);
+        const Result<FloatImage> face = loadFace(path, limits.maxFileBytes, limits.maxMemoryBytes - held);
         if (!face)
             return face.error();
         if (face->width != face->height || (sky.width != 0 && face->width != sky.width))
