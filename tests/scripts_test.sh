@@ -4,8 +4,7 @@
 # are run through a link, packages are missing and there is no sudo, or one that asks for a password. Nothing is
 # installed or built: the programs that would do it are replaced by ones that only say so.
 set -u
-source=$1 work=$2
-rm -rf "$work"
+source=$1 work=$2/$$ # A run has its own.
 mkdir -p "$work/bin" "$work/elsewhere"
 failed=0
 unset FRANKEN_WERROR # CI sets it, and would decide what the scripts are asked here.
@@ -51,4 +50,5 @@ expect "a link" "cmake $work/copy --preset dev -DFRANKEN_WERROR=ON" "$work/cmake
 replace cmake 'case $1 in --build) echo "FAILED: a.o"; echo "a.cpp:1: error: no"; exit 1;; esac'
 (cd "$work/copy" && sh tests/run.sh dev >"$work/out" 2>&1) && { echo "FAILED: a broken build is a success"; failed=1; }
 expect "what the compiler says" "a.cpp:1: error: no" "$work/out"
+[ $failed = 0 ] && rm -rf "$work"
 exit $failed

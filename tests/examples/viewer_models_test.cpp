@@ -227,6 +227,8 @@ TEST_F(ViewerModels, APictureOfNothingSaysSo) {
     const Outcome turned = draw(model.bytes(false));
     EXPECT_EQ(turned.code, 0);
     EXPECT_NE(turned.err.find("faces away"), std::string::npos) << turned.err;
+    const Outcome coloured = draw(model.bytes(false), "--background 0.2,0.4,0.6");
+    EXPECT_NE(coloured.err.find("faces away"), std::string::npos) << coloured.err;
     model.json["nodes"].back() = {{"mesh", 0}};
     EXPECT_EQ(draw(model.bytes(false)).err, "");
 }
@@ -254,6 +256,41 @@ TEST_F(ViewerModels, ChunksOutOfPlaceAndCompressedMeshesAreRefused) {
     const Outcome packed = draw(json.dump());
     EXPECT_EQ(packed.code, 3);
     EXPECT_NE(packed.err.find("EXT_meshopt_compression"), std::string::npos) << packed.err;
+}
+
+TEST_F(ViewerModels, AColourArrivesInItsChannels) {
+    Model model;
+    model.addNode({{"mesh", model.quad(model.unlit({1, 0.2, 0, 1}))}});
+    expect(model, {{32, 32, {255, code(0.2), 0}}});
+}
+
+TEST_F(ViewerModels, ASunOfTheCommandLineHasTheLuxThatItSays) {
+    Model model;
+    model.addNode({{"mesh", model.quad(model.lit(0, 1, 0.5))}});
+    // Lambert's 0.96 base / pi, and F_0 D V of roughness 1 from straight ahead: 0.04 / (4 pi).
+    const auto lit = [](double lux) { return code(lux * (0.96 * 0.5 + 0.04 / 4) / kPi); };
+    expect(model, {{32, 32, {lit(2), lit(1), lit(0.5)}}}, "--sun 0,0,-1:2,1,0.5");
+    expect(model, {{32, 32, {lit(kPi), lit(kPi), lit(kPi)}}}, "--sun 0,0,-3");
+}
+
+// Four samples of encoded colour, averaged: the picture of twice the size says what they are.
+TEST_F(ViewerModels, SupersamplingAveragesFourPixels) {
+    Model model;
+    model.addNode({{"mesh", model.quad(model.unlit({0, 1, 0, 1}), 0.61f)}, {"rotation", {0, 0, 0.3, 0.954}}});
+    ASSERT_EQ(draw(model.bytes(false), "--supersample").code, 0);
+    const Picture small = readPicture(m_folder / "out.png");
+    ASSERT_EQ(run("model.gltf --size 128x128").code, 0);
+    const Picture large = readPicture(m_folder / "out.png");
+    const auto green = [](const Picture& picture, int x, int y) {
+        return int{picture.rgba[static_cast<std::size_t>(4 * (y * picture.width + x) + 1)]};
+    };
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            EXPECT_NEAR(green(small, x, y),
+                        (green(large, 2 * x, 2 * y) + green(large, 2 * x + 1, 2 * y) +
+                         green(large, 2 * x, 2 * y + 1) + green(large, 2 * x + 1, 2 * y + 1)) /
+                            4.0,
+                        0.5);
 }
 
 /// How many pixels of the middle row are not black: what stands nearer to the camera is wider.

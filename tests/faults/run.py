@@ -19,8 +19,9 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 NOTICED, BY_NUMBER = 0.95, 0.85  # The least shares of all faults.
-MINUTES = 8  # The longest that a program may take: a fault may make it run on.
+MINUTES = 30  # The longest that a program may take: a fault may make it run on.
 GOLDEN = {"Golden": "text", "PictureGolden": "picture"}  # By suite.
+WITH_GOLDENS = ("golden_test", "picture_test")
 WORDS = {"number": "noticed by a number or a picture of others", "text": "noticed by a golden text alone",
          "picture": "noticed by a golden picture alone", "missed": "not noticed", "unbuilt": "does not build"}
 
@@ -88,7 +89,7 @@ def programs_for(file):
     """Of the longest matching beginning; those of golden files last."""
     rows = [row for row in programs_table() if file.startswith(row[0])]
     programs = max(rows, key=lambda row: len(row[0]))[1] if rows else []
-    return sorted(programs, key=lambda name: name in ("golden_test", "picture_test"))
+    return sorted(programs, key=lambda name: name in WITH_GOLDENS)
 
 
 class Tree:
@@ -124,10 +125,11 @@ class Tree:
     def make(self, programs):
         return self.run(["ninja", "-C", self.build, f"-j{self.jobs}", *programs], "build.log")
 
-    def failures(self, program):
+    def failures(self, program, only_first=False):
         """The tests of a program that fail, or the program's own name where it ends in a signal or goes on and on."""
         environment = dict(os.environ, MESA_SHADER_CACHE_DISABLE="true")
-        command = [self.build / "bin" / program, f"--gtest_filter={self.filter(program)}", "--gtest_brief=1"]
+        command = [self.build / "bin" / program, f"--gtest_filter={self.filter(program)}", "--gtest_brief=1",
+                   f"--gtest_fail_fast={int(only_first)}"]
         try:
             ran = subprocess.run(command, cwd=self.build, env=environment, capture_output=True, timeout=60 * MINUTES)
         except subprocess.TimeoutExpired:
@@ -168,7 +170,7 @@ class Tree:
         for program in programs:
             if not self.make([program]):
                 return "unbuilt", program
-            failed = sorted(self.failures(program))
+            failed = sorted(self.failures(program, only_first=program not in WITH_GOLDENS))
             kinds = {test: kind_of(test) for test in failed}
             for test, kind in kinds.items():
                 if kind == "number":

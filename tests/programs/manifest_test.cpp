@@ -67,6 +67,12 @@ TEST_F(ManifestTest, IsTextThatAPersonReads) {
                                       "# end 5 8c2f90b0\n");
 }
 
+TEST_F(ManifestTest, WrapsHaveTheirLetters) {
+    const auto wrapsOf = [](const char* line) { return parseManifest(line, "line")->at(0).state.wraps[0]; };
+    EXPECT_EQ(wrapsOf("basecolor+sun1 wrap0=rc"), (DrawState::Wraps{Wrap::Repeat, Wrap::ClampToEdge}));
+    EXPECT_EQ(wrapsOf("basecolor+sun1 wrap0=mr"), (DrawState::Wraps{Wrap::MirroredRepeat, Wrap::Repeat}));
+}
+
 TEST_F(ManifestTest, AnEmptyOneIsWhole) {
     const Result<std::vector<ProgramUse>> read = parseManifest(toManifest({}), "text");
     ASSERT_TRUE(read) << toString(read.error());

@@ -185,6 +185,28 @@ TEST_P(WarmUpTest, ABlendedSurfaceAndItsLastRungAreDrawnBlended) {
     EXPECT_EQ(draws, 1u) << "one program, one state: nothing is proved in a frame";
 }
 
+// There is always a program to draw with: the last rung is not evicted for others, however small the cache.
+TEST_P(WarmUpTest, TheLastRungStays) {
+    ProgramManager programs(gl(), {}, {}, 2);
+    const auto use = [](int suns, Output output) {
+        Permutation permutation;
+        permutation.suns = static_cast<std::uint8_t>(suns);
+        permutation.output = output;
+        return ProgramUse{canonicalise(permutation)->permutation, {}};
+    };
+    programs.setBudget(0);
+    ASSERT_TRUE(programs.get(use(1, Output::Srgb), nullptr)->standIn);
+    EXPECT_EQ(programs.counters().links, 1u);
+    programs.setBudget(ProgramManager::kUnlimited);
+    for (const int suns : {1, 2, 3, 4})
+        ASSERT_TRUE(programs.get(use(suns, Output::Linear), nullptr));
+    EXPECT_GT(programs.counters().evictions, 0u);
+    programs.setBudget(0);
+    const unsigned links = programs.counters().links;
+    ASSERT_TRUE(programs.get(use(2, Output::Srgb), nullptr)->standIn);
+    EXPECT_EQ(programs.counters().links, links);
+}
+
 TEST_P(WarmUpTest, ALostContextIsWarmedUpAgain) {
     KioskFrames kiosk;
     Renderer renderer(gl());

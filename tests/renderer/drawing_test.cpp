@@ -6,6 +6,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <set>
+
 namespace franken::test {
 namespace {
 
@@ -186,6 +188,42 @@ TEST_P(DrawingTest, TheSkyboxIsThereWhateverWasDrawnBefore) {
             for (const std::size_t pixel : {0, 63, 64 * 63, 64 * 64 - 1})
                 EXPECT_GT(picture.rgba[4 * pixel + 1], 250) << pixel << mirrored << doubleSided;
         }
+}
+
+// Of what no rasteriser of ours shows: dithering and multisampling that an engine left on.
+TEST_P(DrawingTest, NothingIsLeftOnThatChangesPixels) {
+    const std::unique_ptr<Renderer> renderer = warm(manyBalls());
+    renderer->invalidateState();
+    recordedCalls().clear();
+    ASSERT_TRUE(renderer->draw(viewpointOf(lookingAhead(), 1), target()));
+    std::set<GLenum> off;
+    for (const GlCall& call : recordedCalls())
+        if (call.name == "Disable")
+            off.insert(static_cast<GLenum>(call.arguments[0]));
+    for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
+                                    GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE})
+        EXPECT_TRUE(off.contains(capability)) << std::hex << capability;
+}
+
+// Mesa's drivers of the Pi compile for what a texture unit holds: units that others bound are emptied again,
+// before a program without textures draws (texture_reset.h).
+TEST_P(DrawingTest, TexturesOfOthersAreResetOnAPi) {
+    SceneBuilder builder;
+    builder.add(sphere(6), builder.addMaterial({}), at(0, 0, -4));
+    Renderer renderer(recordingGl(gl()),
+                      {.maxTextureSize = 2048, .maxCubeSize = 2048, .compilesForStaleTextures = true});
+    ASSERT_TRUE(renderer.load(builder.scene));
+    const Viewpoint viewpoint = viewpointOf(lookingAhead(), 1);
+    ASSERT_TRUE(renderer.draw(viewpoint, target()));
+    const auto draws = [&] {
+        recordedCalls().clear();
+        EXPECT_TRUE(renderer.draw(viewpoint, target()));
+        return countCalls("DrawElements") + countCalls("DrawArrays");
+    };
+    EXPECT_EQ(draws(), 1u) << "nobody else drew";
+    renderer.invalidateState();
+    EXPECT_EQ(draws(), 2u) << "one that resets, and the object";
+    EXPECT_EQ(draws(), 1u);
 }
 
 TEST_P(DrawingTest, InvalidateStateBringsBackWhatAnEngineChanged) {

@@ -154,6 +154,43 @@ TEST(Viewpoint, ANarrowTargetSeesTheWholeWidthOfTheCamera) {
     EXPECT_NEAR(clip.x / clip.w, 1, 1e-6);
 }
 
+// glTF 2.0, 3.10.3: what lies at the near plane is at -1, and what lies at the far one at 1.
+TEST(Viewpoint, PlanesAreWhereTheFileSays) {
+    for (const auto kind : {Camera::Projection::Perspective, Camera::Projection::Orthographic}) {
+        Camera camera;
+        camera.projection = kind;
+        camera.znear = 2;
+        camera.zfar = 10;
+        const glm::dmat4 matrix = viewpointOf(camera, 1).viewProjection;
+        for (const auto& [distance, depth] : {std::pair(2.0, -1.0), {10.0, 1.0}}) {
+            const glm::dvec4 clip = matrix * glm::dvec4(0, 0, -distance, 1);
+            EXPECT_NEAR(clip.z / clip.w, depth, 1e-6) << distance;
+        }
+    }
+    Camera endless;
+    endless.znear = 2;
+    const glm::dmat4 matrix = viewpointOf(endless, 1).viewProjection;
+    for (const auto& [distance, depth] : {std::pair(2.0, -1.0), {4.0, 0.0}, {1e9, 1.0}}) {
+        const glm::dvec4 clip = matrix * glm::dvec4(0, 0, -distance, 1);
+        EXPECT_NEAR(clip.z / clip.w, depth, 1e-6) << distance;
+    }
+}
+
+TEST(Viewpoint, PlanesAreBroughtInToWhatIsThere) {
+    Camera camera;
+    camera.znear = 0.01f;
+    camera.zfar = 1e6f;
+    const Camera tight = tightened(camera, {{-1, -1, -11}, {1, 1, -9}});
+    const double radius = std::sqrt(3.0);
+    EXPECT_NEAR(tight.znear, 10 - radius, 0.01);
+    EXPECT_NEAR(tight.zfar, 10 + radius, 0.01);
+    camera.zfar = 0; // Infinite.
+    EXPECT_NEAR(tightened(camera, {{-1, -1, -11}, {1, 1, -9}}).zfar, 10 + radius, 0.01);
+    camera.znear = 9.5f;
+    EXPECT_EQ(tightened(camera, {{-1, -1, -11}, {1, 1, -9}}).znear, 9.5f) << "what was cut off stays so";
+    EXPECT_EQ(tightened(camera, {}).znear, 9.5f);
+}
+
 TEST(Viewpoint, CornersOfTheScreenLookWhereTheyShow) {
     Camera camera;
     camera.world = glm::rotate(glm::mat4(1), 0.7f, glm::normalize(glm::vec3(1, 2, 3)));

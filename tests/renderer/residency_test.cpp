@@ -125,6 +125,26 @@ TEST_P(ResidencyTest, WhatIsNotShownMakesRoomAndComesBack) {
     EXPECT_LE(renderer.memory().used(), renderer.memory().budget());
 }
 
+// Of those that are not shown, the one goes that was shown longest ago.
+TEST_P(ResidencyTest, TheModelShownLongestAgoMakesRoom) {
+    Renderer renderer(gl());
+    renderer.memory().setBudget(3 * kBallBytes + 100);
+    std::vector<int> readsOf(4);
+    std::vector<ModelId> ids;
+    const auto source = [&](std::size_t i) { return [&, i] { return ++readsOf[i], Result<Scene>(red()); }; };
+    for (std::size_t i = 0; i < 3; ++i)
+        ids.push_back(*renderer.add(red(), source(i)));
+    for (const std::size_t shown : {0u, 1u, 2u, 0u}) // The second one is the oldest then.
+        ASSERT_TRUE(renderer.show({{ids[shown]}}));
+    ids.push_back(*renderer.add(red(), source(3)));
+    EXPECT_EQ(renderer.memory().evictions(), 1u);
+    for (const std::size_t shown : {0u, 2u, 3u})
+        ASSERT_TRUE(renderer.show({{ids[shown]}}));
+    EXPECT_EQ(readsOf, (std::vector<int>{0, 0, 0, 0})) << "these are there";
+    ASSERT_TRUE(renderer.show({{ids[1]}}));
+    EXPECT_EQ(readsOf[1], 1);
+}
+
 TEST_P(ResidencyTest, OverTheBudgetIsAnErrorBeforeTheDriversOwn) {
     Renderer renderer(recordingGl(gl()));
     renderer.setLighting(sunny());

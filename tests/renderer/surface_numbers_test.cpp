@@ -184,6 +184,19 @@ TEST_P(SurfaceNumbers, GlowAndColourAreDecodedAndMultiplied) {
             }
 }
 
+// What is far away is the mean of the light that its texels send, not of their codes.
+TEST_P(SurfaceNumbers, FarTexturesAreAsBrightAsNearOnes) {
+    SceneBuilder builder;
+    Material material = white();
+    material.baseColorTexture.texture = builder.addTexture(checkers(64, 64, {0, 0, 0, 1}, glm::vec4(1)));
+    Primitive primitive = square();
+    for (glm::vec2& uv : primitive.uv[0])
+        uv *= 16.0f; // 16 texels a pixel along each side.
+    builder.add(std::move(primitive), builder.addMaterial(material));
+    for (const std::array<int, 3>& codes = codesOf(draw(filledBy(builder))); const int code : codes)
+        EXPECT_NEAR(code, 0.5 * 255, 3);
+}
+
 /// The square with its front or its back to the camera.
 Shot sided(bool back, const Lighting& lighting) {
     SceneBuilder builder;

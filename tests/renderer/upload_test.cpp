@@ -27,6 +27,14 @@ std::vector<std::uint8_t> unrolled(const std::vector<MeshData>& parts) {
     return bytes;
 }
 
+TEST(TextureBytes, AreThoseOfAllLevels) {
+    EXPECT_EQ(textureBytes({8, 8}, false), 4u * 64);
+    EXPECT_EQ(textureBytes({8, 8}, true), 4u * (64 + 16 + 4 + 1));
+    EXPECT_EQ(textureBytes({8, 1}, true), 4u * (8 + 4 + 2 + 1));
+    EXPECT_EQ(textureBytes({2, 16}, true), 4u * (32 + 8 + 4 + 2 + 1));
+    EXPECT_EQ(textureBytes({5, 3}, true), 4u * (15 + 2 + 1)) << "halves are rounded down";
+}
+
 TEST(Split, KeepsTrianglesAndTheirOrder) {
     const MeshData whole = interleave(sphere(10));
     for (const std::size_t most : {3u, 4u, 50u, 1000u}) {

@@ -59,6 +59,7 @@ void disturbState(const Gl& gl) {
     gl.BlendEquation(GL_FUNC_REVERSE_SUBTRACT);
     gl.BlendFunc(GL_ONE, GL_ONE);
     gl.ClearColor(1, 1, 1, 1);
+    gl.ClearDepthf(0);
     gl.UseProgram(0);
     for (const GLenum target : {GL_ARRAY_BUFFER, GL_ELEMENT_ARRAY_BUFFER})
         gl.BindBuffer(target, 0);
