@@ -60,6 +60,36 @@ TEST_P(SurfaceNumbers, AlphaOfVertexColoursCounts) {
     EXPECT_EQ(codesOf(draw(tinted(material, {1, 1, 1, 0.7f}))), kWhite);
 }
 
+// Through the near glass the far one is seen, whichever stands first in the file.
+TEST_P(SurfaceNumbers, FarGlassesAreBehindNearOnes) {
+    for (const bool nearFirst : {true, false}) {
+        SceneBuilder builder;
+        for (const bool isNear : {nearFirst, !nearFirst}) {
+            Material material = white();
+            material.alphaMode = AlphaMode::Blend;
+            material.baseColor = isNear ? glm::vec4(1, 0, 0, 0.5f) : glm::vec4(0, 1, 0, 0.5f);
+            builder.add(square(), builder.addMaterial(material),
+                        glm::translate(glm::mat4(1), glm::vec3(0, 0, isNear ? 0.5f : -0.5f)));
+        }
+        const Codes codes = codesOf(draw(filledBy(builder)));
+        EXPECT_NEAR(codes[0], 0.5 * 255, 1) << nearFirst;
+        EXPECT_NEAR(codes[1], 0.25 * 255, 1) << nearFirst;
+    }
+}
+
+// Two things of one material: each stands where it stands.
+TEST_P(SurfaceNumbers, EachThingIsWhereItStands) {
+    SceneBuilder builder;
+    const int material = builder.addMaterial(white());
+    for (const glm::vec3 place : {glm::vec3(-0.5f, 0.5f, 0), glm::vec3(0.5f, -0.5f, 0)})
+        builder.add(square(), material, glm::scale(glm::translate(glm::mat4(1), place), glm::vec3(0.4f)));
+    const Picture picture = draw(filledBy(builder));
+    EXPECT_EQ(codesAt(picture, 16, 16), kWhite);
+    EXPECT_EQ(codesAt(picture, 48, 48), kWhite);
+    EXPECT_EQ(codesAt(picture, 48, 16), kBlack);
+    EXPECT_EQ(codesAt(picture, 16, 48), kBlack);
+}
+
 TEST_P(SurfaceNumbers, WhatIsBehindAGlassIsSeenByItsAlpha) {
     SceneBuilder builder;
     Material material = white();
