@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 #include <numbers>
 #include <sstream>
@@ -157,77 +156,6 @@ TEST(Reflection, SpheresMatchTheReference) {
         }
         RecordProperty(row.file, std::to_string(sum / count));
         EXPECT_LE(sum / count, 0.5 * row.khronos) << row.file;
-    }
-}
-
-/// The plain split sum (Karis, 2013): the sky through the lobe around the mirrored eye, weighted with N.L.
-glm::vec3 splitSum(const Environment& sky, const test::Hit& hit, float roughness, const glm::vec3& f0) {
-    const glm::vec3 r = 2 * glm::dot(hit.normal, hit.toCamera) * hit.normal - hit.toCamera;
-    const float a2 = roughness * roughness * roughness * roughness;
-    glm::vec3 light(0);
-    float weights = 0;
-    for (int y = 0; y < sky.height; ++y) {
-        const float area = std::sin((static_cast<float>(y) + 0.5f) / static_cast<float>(sky.height) *
-                                    std::numbers::pi_v<float>);
-        for (int x = 0; x < sky.width; ++x) {
-            const float cosine = glm::dot(r, test::equirectDirection(sky.width, x, y));
-            if (cosine <= 0)
-                continue;
-            const float width = a2 * 0.5f * (1 + cosine) + 0.5f * (1 - cosine);
-            const float weight = area * cosine / (width * width);
-            light += weight * sky.texels[static_cast<std::size_t>(y * sky.width + x)];
-            weights += weight;
-        }
-    }
-    const glm::vec2 share = test::whiteSky(glm::dot(hit.normal, hit.toCamera), roughness, 1024);
-    return light / weights * (f0 * share.x + share.y);
-}
-
-/// Hard skies by others: spheres against noise-free truth, and the split sum beside.
-class ReferenceSky : public testing::TestWithParam<const char*> {};
-
-INSTANTIATE_TEST_SUITE_P(Skies, ReferenceSky, testing::Values("softbox", "half", "studio", "sunset"));
-
-/// Metals are half as far off as the split sum, or 2.5 codes. At roughness 0.2 no one lookup of a round lobe
-/// comes so close where lamps have edges (generator/docs/sky.md): there it is closer than the split sum, and
-/// no more.
-TEST_P(ReferenceSky, SpheresMatchTheTruth) {
-    const fs::path folder = kShared / "reference" / "skies";
-    if (!fs::exists(folder))
-        GTEST_SKIP() << folder << " is not there";
-    const std::string name = GetParam();
-    const auto environment = loadEnvironment(folder / (name + ".hdr"));
-    ASSERT_TRUE(environment);
-    const ReflectionMaps sky{filterReflection(*environment), reflectionLookup()};
-    for (const std::string file :
-         {"metal_r0.2", "metal_r0.6", "metal_r1.0", "dielectric_r0.2", "dielectric_r0.6"}) {
-        const float roughness = std::stof(file.substr(file.size() - 3));
-        const float metallic = file.starts_with("metal") ? 1.0f : 0.0f;
-        const test::SkyMaterial material{file, {0.9f, 0.5f, 0.2f}, metallic};
-        const Image truth = test::readImage(folder / (name + "." + file + ".png"));
-        ASSERT_EQ(truth.width, 64);
-        double ours = 0, split = 0;
-        int count = 0;
-        for (int i = 0; i < 64 * 64; i += 5) {
-            const auto hit = test::hitSphere(i % 64, i / 64, 64);
-            if (!hit || glm::dot(hit->normal, hit->toCamera) <= 0.05f)
-                continue;
-            const glm::vec3 scattered =
-                0.96f * (1 - metallic) * material.baseColor * test::skyLight(sky.atlas, hit->normal);
-            const std::uint8_t* const rgb = &truth.rgba[static_cast<std::size_t>(4 * i)];
-            const auto distance = [&](const glm::vec3& reflected) {
-                const glm::vec3 off = glm::abs(glm::round(test::codes(scattered + reflected)) -
-                                               glm::vec3(rgb[0], rgb[1], rgb[2]));
-                return static_cast<double>(off.r + off.g + off.b) / 3;
-            };
-            ours += distance(test::reflectedByShader(sky, hit->normal, hit->toCamera, roughness, material));
-            split += distance(splitSum(*environment, *hit, roughness, material.f0()));
-            ++count;
-        }
-        std::cout << name << "." << file << ": " << ours / count << " codes, split sum " << split / count
-                  << "\n";
-        const double share = roughness < 0.3f ? 1 : 0.5;
-        EXPECT_LE(ours / count, metallic > 0 ? std::max(2.5, share * split / count) : 2.5) << file;
     }
 }
 

@@ -64,19 +64,19 @@ glm::vec2 reflected(float nDotV, float roughness, const std::vector<glm::vec2>& 
 
 /// The level to look at. A lobe that is seen at an angle is narrow across the plane of N and V: so the level
 /// is sharper than what the roughness alone asks for. This and the share below were fitted to brute force
-/// over two skies, for a white and a coloured metal and a black dielectric at once.
+/// over five skies (generator/docs/sky.md), for metals and dielectrics at once.
 float levelOf(float nDotV, float roughness) {
     const float level = 2 * std::log2(roughness) + kReflectionLevels - 1;
     const float sharper =
-        (1 - nDotV) * (1 - roughness) * (1.08f + 1.22f * roughness + 7.6f * roughness * roughness);
+        (1 - nDotV) * (0.53f + roughness * (5.17f - roughness * (4.0f + 1.06f * roughness)));
     return std::max(level - sharper, 0.0f);
 }
 
 /// The share of the light that is taken from the sky's irradiance instead: the broad part of a lobe that is
 /// seen at an angle.
 float irradianceShare(float nDotV, float roughness) {
-    const float share = 1.1f - 0.32f * roughness - nDotV * (2.31f - 2.91f * roughness);
-    return std::clamp(roughness * roughness * share, 0.0f, 1.0f);
+    const float share = 2.68f - 1.9f * roughness - nDotV * (2.97f - 3.57f * roughness);
+    return std::clamp(roughness * roughness * roughness * share, 0.0f, 1.0f);
 }
 
 std::uint8_t toCode(float value) {

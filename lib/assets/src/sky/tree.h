@@ -59,9 +59,8 @@ public:
     /// as a share of the result.
     glm::vec3 radiance(const Lobe& lobe, const glm::vec3& direction, float tolerance = kTolerance) const;
 
-    /// An eighth of it, which takes two to four times the nodes, moves hardly a texel by half a code of 8
-    /// bits.
-    static constexpr float kTolerance = 4e-4f;
+    /// A thirty-second of it, which takes four times the nodes, moves no texel by half a code of 8 bits.
+    static constexpr float kTolerance = 3e-4f;
 
     /// Of the sky: the mean over all directions.
     const glm::vec3& meanRadiance() const { return m_mean; }
