@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Drivers that refuse programs at each rung of the ladder, in each way: the picture is never empty.
+#include "franken/generator/covering.h"
 #include "franken/generator/ladder.h"
 #include "support/draw_scene.h"
 #include "support/fake_driver.h"
@@ -104,6 +105,36 @@ TEST_P(RefusalTest, EachRungGivesWayToTheNextAndSomethingIsDrawn) {
                     EXPECT_EQ(drawn.steps[i].next, rungs[i + 1]);
                 }
             }
+}
+
+TEST_P(RefusalTest, AWrongColorGivesWayAsWell) {
+    const Shot shot = richShot();
+    const std::vector<Permutation> rungs = ladderOf(shot);
+    const std::size_t whole = Kiosk(gl(), surface()).draw(shot).covered;
+    for (const Refusal refusal : {Refusal::Black, Refusal::Nan})
+        for (const std::size_t count : {std::size_t{1}, std::size_t{4}, rungs.size() - 1}) {
+            const std::vector<Permutation> refused(rungs.begin(),
+                                                   rungs.begin() + static_cast<std::ptrdiff_t>(count));
+            const Drawn drawn = Kiosk(refusingDriver(gl(), refusal, refused), surface()).draw(shot);
+            EXPECT_TRUE(drawn.result) << toString(drawn.result.error());
+            EXPECT_EQ(drawn.covered, whole) << toName(rungs[count]);
+            ASSERT_EQ(drawn.steps.size(), count);
+            EXPECT_EQ(drawn.steps[0].error.code, "program.draw");
+        }
+}
+
+// What is right is known of every program, in both precisions.
+TEST_P(RefusalTest, NoRightProgramIsRefused) {
+    for (const bool blend : {false, true}) {
+        std::vector<ProgramUse> uses;
+        for (const Permutation& permutation : coveringSet())
+            uses.push_back({permutation, {.blend = blend}});
+        ProgramManager manager(gl(), Capabilities::query(gl()), {});
+        const DrawTarget target{surface().framebuffer(), 64, 64};
+        ASSERT_TRUE(manager.warmUp(uses, target));
+        for (const Fallback& fallback : manager.fallbacks())
+            ADD_FAILURE() << toString(fallback.error);
+    }
 }
 
 TEST_P(RefusalTest, AReportNamesStageLineAndWhatReproducesIt) {

@@ -38,6 +38,8 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot,
     const Result<void> drawn = renderer.draw(viewpointOf(shot.camera, static_cast<double>(width) / height),
                                              {surface.framebuffer(), width, height, shot.background});
     EXPECT_TRUE(drawn) << toString(drawn.error());
+    for (const Fallback& fallback : renderer.fallbacks())
+        ADD_FAILURE() << toString(fallback.error);
     EXPECT_EQ(gl.GetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 

@@ -20,6 +20,7 @@ struct Driver {
     std::set<GLuint> shaders, programs; ///< The refused ones.
     GLuint used = 0;
 
+    bool isWrong() const { return refusal == Refusal::Black || refusal == Refusal::Nan; }
     bool ignoresDraws() const { return refusal == Refusal::Draw && programs.count(used) != 0; }
 };
 
@@ -29,13 +30,19 @@ Driver driver; // GL's functions carry no context of ours.
 
 void GL_APIENTRY shaderSource(GLuint shader, GLsizei count, const GLchar* const* texts,
                               const GLint* lengths) {
-    const std::string text = *texts;
+    std::string text = *texts;
     const bool fragment = text.find("FRAGMENT SHADER") != std::string::npos;
     if (fragment && (driver.all || driver.texts.count(text) != 0))
         driver.shaders.insert(shader);
     else
         driver.shaders.erase(shader); // Names are used again.
-    driver.gl.ShaderSource(shader, count, texts, lengths);
+    if (driver.shaders.count(shader) == 0 || !driver.isWrong())
+        return driver.gl.ShaderSource(shader, count, texts, lengths);
+    constexpr std::string_view kBlack = "color = vec3(0.0);\n  ",
+                               kNan = "color = (color - color) / (color - color);\n  ";
+    text.insert(text.rfind("gl_FragColor"), driver.refusal == Refusal::Black ? kBlack : kNan);
+    const char* const source = text.c_str();
+    driver.gl.ShaderSource(shader, 1, &source, nullptr);
 }
 
 void GL_APIENTRY getShaderiv(GLuint shader, GLenum name, GLint* value) {
@@ -66,7 +73,8 @@ GLuint GL_APIENTRY createProgram() {
 
 void GL_APIENTRY getProgramiv(GLuint program, GLenum name, GLint* value) {
     driver.gl.GetProgramiv(program, name, value);
-    if (name == GL_LINK_STATUS && driver.refusal != Refusal::Draw && driver.programs.count(program) != 0)
+    if (name == GL_LINK_STATUS && !driver.isWrong() && driver.refusal != Refusal::Draw &&
+        driver.programs.count(program) != 0)
         *value = GL_FALSE;
 }
 

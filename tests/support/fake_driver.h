@@ -13,6 +13,8 @@ enum class Refusal {
     Compile, ///< Says that the fragment shader does not compile.
     Link,    ///< Says that the program does not link.
     Draw,    ///< Says that all is well, and draws nothing: vc4 without registers.
+    Black,   ///< Draws black.
+    Nan,     ///< Draws what is no number: fragments that overflow.
 };
 
 /// The table of a driver that refuses programs by their fragment shaders' texts, and else does what `gl`

@@ -18,7 +18,7 @@ namespace {
 
 Error drawsNothing(const Permutation& permutation) {
     const std::string name = toName(permutation);
-    return {"program.draw", name, "links, but draws nothing, as where the GPU's registers do not suffice",
+    return {"program.draw", name, "links, but draws nothing or a wrong color, as where the GPU's registers or digits do not suffice",
             "see what it needs with: frankenshader cost " + name};
 }
 
@@ -70,6 +70,7 @@ struct [[gnu::visibility("hidden")]] ProgramManager::State {
     ProgramCache cache;
     std::unique_ptr<TextureReset> reset; ///< Never null.
     std::unique_ptr<ProgramProbe> probe; ///< Never null; refers to the one before.
+    bool ownSnippets = false;            ///< An application's.
     bool needsReset = false;             ///< Capabilities::compilesForStaleTextures.
     std::map<Draw, std::weak_ptr<ShaderProgram>> validated;
     std::vector<ProgramHandle>
@@ -99,6 +100,8 @@ void ProgramManager::resetBudget() { m_state->left = m_state->budget; }
 
 void ProgramManager::setSnippets(const SnippetSet& snippets) {
     m_state->cache.setSnippets(snippets);
+    m_state->ownSnippets = true;
+    m_state->probe = std::make_unique<ProgramProbe>(*m_state->gl, *m_state->reset, m_state->log, true);
     m_state->validated.clear();
     m_state->ends.clear();
     m_state->fallbacks.clear();
@@ -125,7 +128,7 @@ const ProgramCounters& ProgramManager::counters() const { return m_state->cache.
 void ProgramManager::State::makeParts(const Capabilities& capabilities) {
     needsReset = capabilities.compilesForStaleTextures;
     reset = std::make_unique<TextureReset>(*gl);
-    probe = std::make_unique<ProgramProbe>(*gl, *reset, log);
+    probe = std::make_unique<ProgramProbe>(*gl, *reset, log, ownSnippets);
 }
 
 // Where it fails, programs without textures are compiled more often, and that is all.

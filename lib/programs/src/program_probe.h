@@ -15,9 +15,10 @@
 
 namespace franken {
 
-/// Draws one pixel with a program, as the renderer would draw a surface with it, and looks whether anything
-/// was drawn. Uniforms and textures are such that every program has something to draw: alpha is 1, the cutoff
-/// 0. Textures are of two by two texels; drivers compile for their formats and wraps, not for their sizes.
+/// Draws one pixel with a program, as the renderer would draw a surface with it, and looks whether it has the
+/// colour that it should have. Uniforms and textures are such that every program has something to draw: alpha
+/// is 1, the cutoff 0. Textures are of two by two texels; drivers compile for their formats and wraps, not
+/// for their sizes.
 class ProgramProbe {
 public:
     struct Draw {
@@ -26,15 +27,18 @@ public:
         const DrawState* state;
     };
 
-    /// The table and the reset must outlive it. GL objects are made when they are needed first.
-    ProgramProbe(const Gl& gl, TextureReset& reset, Log log);
+    /// ownSnippets: programs are of an application's snippets, and may draw anything. The table and the reset
+    /// must outlive it. GL objects are made when they are needed first.
+    ProgramProbe(const Gl& gl, TextureReset& reset, Log log, bool ownSnippets);
 
-    /// Draws all of them, side by side, and says of each whether its pixel changed. Without a target: into
-    /// one of its own. The target's contents are undefined afterwards.
+    /// Draws all of them, side by side, and says of each whether its pixel is right (expected_pixel.h), or
+    /// whether it changed, for snippets of others. Without a target: into one of its own. The target's
+    /// contents are undefined afterwards.
     std::vector<bool> draw(std::span<const Draw> draws, const DrawTarget* target);
 
 private:
-    using Pixels = std::vector<std::array<std::uint8_t, 4>>;
+    using Pixel = std::array<std::uint8_t, 4>;
+    using Pixels = std::vector<Pixel>;
     using Row = std::span<const Draw>;
 
     DrawTarget ownTarget();
@@ -42,6 +46,7 @@ private:
     const GlTexture& texture(Type type, DrawState::Wraps wraps);
     void bindTextures(const Draw& draw);
     std::vector<bool> drawRow(Row row);
+    bool isRight(const Draw& draw, const Pixel& before, const Pixel& after) const;
     Pixels clear(const Float3& color, std::size_t count);
     Pixels read(std::size_t count) const;
     void drawOne(const Draw& draw, GLint x);
@@ -56,9 +61,10 @@ private:
     GlRenderbuffer m_depth;
     GlFramebuffer m_framebuffer;
     UniformBlock<FrameBlock> m_frame;
-    UniformBlock<LightsBlock> m_lights;
+    UniformBlock<LightsBlock> m_lights, m_lightsFp16;
     UniformBlock<MaterialBlock> m_material;
     UniformBlock<ObjectBlock> m_object;
+    bool m_ownSnippets;
     bool m_saidThatItIsBlind = false;
 };
 
