@@ -55,6 +55,11 @@ public:
         return std::move(m_fault);
     }
 
+    Result<void> run(const Material& material) {
+        add(material, "material");
+        return std::move(m_fault);
+    }
+
 private:
     template<typename Elements, typename Function>
     void each(const char* array, const Elements& elements, Function function) {
@@ -128,6 +133,11 @@ private:
         const std::size_t vertices = primitive.positions.size();
         expect(isIndex(primitive.material, m_scene.materials.size()), where, ".material",
                "there is no such material");
+        const auto isVariant = [&](int material) {
+            return material == kNone || isIndex(material, m_scene.materials.size());
+        };
+        expect(std::all_of(primitive.variantMaterials.begin(), primitive.variantMaterials.end(), isVariant),
+               where, ".variantMaterials", "there is no such material");
         expect(areFinite(primitive.positions), where, ".positions", "its numbers must be finite");
         expect(primitive.normals.size() == vertices, where, ".normals",
                "there must be one for each position");
@@ -152,5 +162,7 @@ private:
 } // namespace
 
 Result<void> check(const Scene& scene) { return Checker(scene).run(); }
+
+Result<void> check(const Scene& scene, const Material& material) { return Checker(scene).run(material); }
 
 } // namespace franken

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "checks.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -31,6 +33,11 @@ bool isAmount(float value) { return std::isfinite(value) && value >= 0; }
 
 bool isDirection(const Float3& vector) {
     return areFinite(vector) && std::hypot(vector[0], vector[1], vector[2]) > 0;
+}
+
+bool isRotation(const glm::dquat& rotation) {
+    const double length = glm::length(rotation);
+    return std::isfinite(length) && length > 0;
 }
 
 /// The first rule that does not hold, as an error.
@@ -89,6 +96,7 @@ Result<void> check(const Lighting& lighting) {
                                          [](const auto& coefficient) { return areFinite(coefficient); });
     return checkRules("renderer.lighting", {},
                       {{isLight(lighting.ambientColor), "ambientColor", kAmount},
+                       {isRotation(lighting.skyRotation), "skyRotation", "it must be finite, and not 0"},
                        {skyIsFinite, "sky", "its coefficients must be finite"},
                        {std::isfinite(lighting.exposure) && lighting.exposure >= 0, "exposure", kAmount}});
 }
@@ -137,6 +145,23 @@ Result<void> check(const Image& image) {
                            " has " + std::to_string(image.rgba.size()) + " bytes, and not four for each pixel"
                      : "an image has no pixels",
                  "fill in width, height, and width * height * 4 bytes"};
+}
+
+Result<void> checkTransform(const glm::dmat4& matrix) {
+    const glm::dvec4 lastRow = glm::transpose(matrix)[3];
+    return checkRules("renderer.transform", {},
+                      {{isFinite(matrix), "matrix", "its numbers must be finite"},
+                       {lastRow == glm::dvec4(0, 0, 0, 1), "matrix",
+                        "its last row must be 0, 0, 0, 1: only a camera projects"}});
+}
+
+Error unknownModel() {
+    return {"renderer.model", "", "there is no such model", "use what add() returned, until remove()"};
+}
+
+Error unknownPlace() {
+    return {"renderer.place", "", "there is no such place",
+            "use what addPlace() or firstPlace() returned, until the place or its model is removed"};
 }
 
 Result<void> checkRange(float range) {

@@ -23,7 +23,13 @@ Result<void> check(const DrawTarget& target);
 Result<void> check(std::span<const OverlayQuad> quads);
 /// "renderer.image": width and height, and as many bytes as they say.
 Result<void> check(const Image& image);
+/// "renderer.transform": finite, and affine.
+Result<void> checkTransform(const glm::dmat4& matrix);
 /// "renderer.sky": the range of an encoded sky.
 Result<void> checkRange(float range);
+
+/// "renderer.model", "renderer.place"
+Error unknownModel();
+Error unknownPlace();
 
 } // namespace franken

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw_list.h"
 
-#include "object_block.h"
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <tuple>
@@ -9,14 +9,16 @@
 namespace franken {
 namespace {
 
-/// Whether the object is visible; a visible one is placed, with the next serial.
-bool placeOne(Object& object, const Frustum& frustum, const Viewpoint& viewpoint, std::uint64_t& nextSerial) {
-    object.visible = object.material->program && frustum.mayShow(object.bounds);
-    if (object.visible) {
-        projectObject(object.block, object.position, viewpoint);
-        object.serial = nextSerial++;
-    }
-    return object.visible;
+/// What follows from where the object stands, whatever the camera.
+void settle(Object& object, const glm::dmat3& skyFromWorld) {
+    const glm::dmat4 world = object.place->world * object.drawable->world;
+    const bool isTurnedInsideOut = glm::determinant(glm::dmat3(object.place->world)) < 0;
+    object.mirrored = object.drawable->mirrored != isTurnedInsideOut;
+    object.bounds = boundsOf(object.primitive->bounds, world);
+    object.position = glm::dvec3(world[3]);
+    placeObject(object.block, world, object.mirrored, skyFromWorld);
+    object.movements = object.place->movements;
+    object.isPlaced = true;
 }
 
 } // namespace
@@ -25,29 +27,43 @@ void DrawList::rebuild(const std::vector<Model*>& shown) {
     m_opaque.clear();
     m_blended.clear();
     m_backToFront.clear();
+    m_materials.clear();
     m_placedFor.reset();
     m_visible = 0;
-    for (const Model* model : shown)
-        add(*model->gpu);
+    for (Model* model : shown)
+        add(*model);
+    m_backToFront.reserve(m_blended.size());
+    for (const std::vector<Object>* objects : {&m_opaque, &m_blended})
+        for (const Object& object : *objects)
+            m_materials.push_back(object.material);
+    std::sort(m_materials.begin(), m_materials.end());
+    m_materials.erase(std::unique(m_materials.begin(), m_materials.end()), m_materials.end());
 }
 
-void DrawList::add(const GpuScene& scene) {
-    std::vector<const Drawable*> sorted;
-    for (const Drawable& drawable : scene.drawables)
-        sorted.push_back(&drawable);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const Drawable* a, const Drawable* b) {
-        return std::tie(a->material, a->mesh) < std::tie(b->material, b->mesh);
+void DrawList::add(Model& model) {
+    GpuScene& scene = *model.gpu;
+    struct Draw {
+        std::size_t material, mesh;
+        const Place* place;
+        const Drawable* drawable;
+    };
+    std::vector<Draw> draws;
+    for (const Place* place : model.places)
+        for (const Drawable& drawable : scene.drawables) {
+            const GpuPrimitive& primitive = scene.primitives[drawable.primitive];
+            draws.push_back({primitive.materialIn(place->variant), primitive.mesh, place, &drawable});
+        }
+    std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {
+        return std::tie(a.material, a.mesh) < std::tie(b.material, b.mesh);
     });
-    for (const Drawable* drawable : sorted)
-        (drawable->blended ? m_blended : m_opaque)
-            .push_back({.block = drawable->block,
-                        .bounds = drawable->bounds,
-                        .position = drawable->position,
-                        .mesh = &scene.meshes[drawable->mesh],
-                        .material = &scene.materials[drawable->material],
-                        .order = static_cast<unsigned>(m_opaque.size()),
-                        .mirrored = drawable->mirrored,
-                        .doubleSided = drawable->doubleSided});
+    for (const Draw& draw : draws)
+        (scene.materials[draw.material].blended ? m_blended : m_opaque)
+            .push_back({.place = draw.place,
+                        .drawable = draw.drawable,
+                        .primitive = &scene.primitives[draw.drawable->primitive],
+                        .mesh = &scene.meshes[draw.mesh],
+                        .material = &scene.materials[draw.material],
+                        .order = static_cast<unsigned>(m_opaque.size())});
 }
 
 void DrawList::sort() {
@@ -61,25 +77,48 @@ void DrawList::sort() {
     m_placedFor.reset();
 }
 
-void DrawList::place(const Viewpoint& viewpoint) {
-    if (m_placedFor == viewpoint)
+/// Whether the object is visible; a visible one is placed, with the next serial.
+bool DrawList::placeOne(Object& object, const Frustum& frustum, const glm::dmat4& skyToClip) {
+    const Place& place = *object.place;
+    object.visible = place.visible && object.material->program;
+    if (!object.visible)
+        return false;
+    if (!object.isPlaced || object.movements != place.movements)
+        settle(object, m_placedFor->skyFromWorld);
+    object.visible = frustum.mayShow(object.bounds);
+    if (object.visible) {
+        projectObject(object.block, object.position, *m_placedFor, skyToClip);
+        object.serial = m_nextSerial++;
+    }
+    return object.visible;
+}
+
+void DrawList::place(const PlacedView& view, unsigned movements) {
+    if (m_placedFor == view && m_movements == movements)
         return;
+    if (!m_placedFor || m_placedFor->skyFromWorld != view.skyFromWorld)
+        for (std::vector<Object>* objects : {&m_opaque, &m_blended})
+            for (Object& object : *objects)
+                object.isPlaced = false;
+    m_placedFor = view;
+    m_movements = movements;
+    const Viewpoint& viewpoint = view.viewpoint;
     const Frustum frustum(viewpoint.viewProjection);
-    std::uint64_t serial = newSerials(size());
+    const glm::dmat4 skyToClip = viewpoint.viewProjection * glm::dmat4(glm::transpose(view.skyFromWorld));
+    m_nextSerial = newSerials(size());
     m_visible = 0;
     for (Object& object : m_opaque)
-        m_visible += placeOne(object, frustum, viewpoint, serial) ? 1 : 0;
+        m_visible += placeOne(object, frustum, skyToClip) ? 1 : 0;
     m_backToFront.clear();
     for (Object& object : m_blended)
-        if (placeOne(object, frustum, viewpoint, serial))
+        if (placeOne(object, frustum, skyToClip))
             m_backToFront.push_back(&object);
     m_visible += m_backToFront.size();
-    const auto depth = [&](const Object* object) {
-        return glm::dot(object->bounds.center - viewpoint.eye, viewpoint.forward);
-    };
-    std::stable_sort(m_backToFront.begin(), m_backToFront.end(),
-                     [&](const Object* a, const Object* b) { return depth(a) > depth(b); });
-    m_placedFor = viewpoint;
+    const auto nearness = [&](const Object* object) { // Objects as deep keep their order: no sort is stable
+        return std::pair(-glm::dot(object->bounds.center - viewpoint.eye, viewpoint.forward), object);
+    }; // without allocating.
+    std::sort(m_backToFront.begin(), m_backToFront.end(),
+              [&](const Object* a, const Object* b) { return nearness(a) < nearness(b); });
 }
 
 double DrawList::farthest(const glm::dvec3& eye) const {

@@ -3,22 +3,28 @@
 
 #include "franken/viewpoint.h"
 #include "models.h"
+#include "object_block.h"
 
 #include <optional>
 #include <vector>
 
 namespace franken {
 
-/// A drawable of a model that is shown: all that a frame reads of it, in one place.
+/// A drawable of a model that is shown, at one of its places: all that a frame reads of it.
 struct Object {
-    ObjectBlock block;
+    ObjectBlock block = {};
     std::uint64_t serial = 0; ///< Of the block.
-    Bounds bounds;
-    glm::dvec3 position; ///< Of its origin, in the world.
+    Bounds bounds = {};
+    glm::dvec3 position{0.0}; ///< Of its origin, in the world.
+    const Place* place;
+    const Drawable* drawable;
+    const GpuPrimitive* primitive;
     const GpuMesh* mesh;
-    const GpuMaterial* material;
-    unsigned order; ///< By model, material and mesh.
-    bool mirrored, doubleSided;
+    GpuMaterial* material;
+    unsigned order;              ///< By model, material and mesh.
+    unsigned movements = 0;      ///< Those of its place that the members above are for.
+    bool isPlaced = false;       ///< They are for any, and for the sky's rotation.
+    bool mirrored = false;
     bool visible = false;
 };
 
@@ -32,8 +38,12 @@ public:
     /// By program, material and mesh; after programs have changed.
     void sort();
 
-    /// Places all objects for that view, unless they are placed for it already.
-    void place(const Viewpoint& viewpoint);
+    /// Places all objects for that view, unless they are placed for it already. `movements`: another number
+    /// after each change of a place.
+    void place(const PlacedView& view, unsigned movements);
+
+    /// Of the objects, each once.
+    const std::vector<GpuMaterial*>& materials() const { return m_materials; }
 
     const std::vector<Object>& opaque() const { return m_opaque; } ///< Visible ones and others.
     const std::vector<const Object*>& backToFront() const {
@@ -47,11 +57,15 @@ public:
     std::size_t size() const { return m_opaque.size() + m_blended.size(); }
 
 private:
-    void add(const GpuScene& scene);
+    void add(Model& model);
+    bool placeOne(Object& object, const Frustum& frustum, const glm::dmat4& skyToClip);
 
     std::vector<Object> m_opaque, m_blended;
+    std::vector<GpuMaterial*> m_materials;
     std::vector<const Object*> m_backToFront;
-    std::optional<Viewpoint> m_placedFor;
+    std::optional<PlacedView> m_placedFor;
+    unsigned m_movements = 0;
+    std::uint64_t m_nextSerial = 0;
     std::size_t m_visible = 0;
 };
 

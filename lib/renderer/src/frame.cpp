@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace franken {
 namespace {
@@ -43,9 +44,8 @@ Result<void> Frame::resolvePrograms(const DrawTarget* target) {
     FirstError first;
     m_device.state.invalidate(); // Compiling a program uses it.
     m_resolved = true;
-    for (Model* model : m_content.models.shown())
-        for (GpuMaterial& material : model->gpu->materials)
-            first.add(resolveMaterial(material, target));
+    for (GpuMaterial* material : m_list.materials())
+        first.add(resolveMaterial(*material, target));
     if (m_content.skybox.isShown())
         first.add(resolveSkybox(target));
     m_list.sort();
@@ -70,8 +70,7 @@ Result<void> Frame::resolveMaterial(GpuMaterial& material, const DrawTarget* tar
     if (!program)
         return program.error();
     material.program = *program;
-    material.block.edit() =
-        packMaterial(material.plan.factors, m_look.brdf, m_lighting.exposure, m_look.precision);
+    material.isPacked = false;
     return {};
 }
 
@@ -84,22 +83,31 @@ Result<void> Frame::resolveSkybox(const DrawTarget* target) {
     return {};
 }
 
-void Frame::updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target) {
+void Frame::updateBlocks(const PlacedView& view, const DrawTarget& target) {
     FrameBlock values{};
     values.cameraPosition = {0, 0, 0}; // Because objects are placed as seen from it.
-    roundTo(values.clipToSky, viewpoint.clipToSky);
+    roundTo(values.clipToSky, view.skyFromWorld * view.viewpoint.clipToSky);
     values.skyRange = m_content.skybox.range() * m_lighting.exposure;
     values.reflectionScale = std::sqrt(m_content.reflection.range() * m_lighting.exposure);
     values.dither = packDither(target.bits);
-    LightsBlock lights = packLighting(m_lighting, viewpoint.eye);
+    LightsBlock lights = packLighting(m_lighting, view.viewpoint.eye);
     if (m_look.precision == Precision::Fp16) {
-        const float farthest = static_cast<float>(m_list.farthest(viewpoint.eye));
+        const float farthest = static_cast<float>(m_list.farthest(view.viewpoint.eye));
         values.lengthScale = lengthScaleFp16(farthest);
         values.skyRange = std::min(values.skyRange, kMostFp16);
         fitToFp16(lights, farthest);
     }
     m_frame.set(values);
     m_lights.set(lights);
+    for (GpuMaterial* material : m_list.materials())
+        if (!std::exchange(material->isPacked, true))
+            material->block.edit() =
+                packMaterial(material->plan.factors, m_look.brdf, m_lighting.exposure, m_look.precision);
+}
+
+// A picture of normals shows those of the world.
+PlacedView Frame::viewFrom(const Viewpoint& viewpoint) const {
+    return {viewpoint, m_look.view == View::Normal ? glm::dmat3(1.0) : skyFromWorld(m_lighting)};
 }
 
 void Frame::begin(const DrawTarget& target) {
@@ -118,8 +126,9 @@ void Frame::begin(const DrawTarget& target) {
 }
 
 void Frame::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
-    m_list.place(viewpoint);
-    updateBlocks(viewpoint, target);
+    const PlacedView view = viewFrom(viewpoint);
+    m_list.place(view, m_content.models.movements());
+    updateBlocks(view, target);
     m_counters = {.drawn = m_list.visible(), .culled = m_list.size() - m_list.visible()};
     begin(target);
     drawOpaque();
@@ -148,14 +157,14 @@ void Frame::drawOne(const Object& object) {
         bind(material);
     ShaderProgram& program = *material.program;
     program.feed(Block::Object, {reinterpret_cast<const float*>(&object.block), object.serial});
-    m_device.state.setCulling(!object.doubleSided || material.state.blend);
+    m_device.state.setCulling(!material.doubleSided || material.state.blend);
     m_device.state.setFrontFace(object.mirrored ? GL_CW : GL_CCW);
     object.mesh->draw(m_device.gl, m_device.state, program.attributes(), material.plan.uvSets);
 }
 
 // Through a transparent surface its other side is seen, which therefore comes first.
 void Frame::drawSides(const Object& object) {
-    if (!object.doubleSided)
+    if (!object.material->doubleSided)
         return drawOne(object);
     for (const GLenum culled : {GL_FRONT, GL_BACK}) {
         m_device.state.setCulledFace(culled);

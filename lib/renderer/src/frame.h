@@ -43,7 +43,8 @@ private:
     Result<void> resolveMaterial(GpuMaterial& material, const DrawTarget* target);
     Result<void> resolveSkybox(const DrawTarget* target);
 
-    void updateBlocks(const Viewpoint& viewpoint, const DrawTarget& target);
+    void updateBlocks(const PlacedView& view, const DrawTarget& target);
+    PlacedView viewFrom(const Viewpoint& viewpoint) const;
     void begin(const DrawTarget& target);
     void use(ShaderProgram& program, const BlockViews& blocks);
     void bind(const GpuMaterial& material);

@@ -10,6 +10,7 @@
 
 #include <glm/ext/matrix_double4x4.hpp>
 
+#include <string>
 #include <vector>
 
 namespace franken {
@@ -21,26 +22,50 @@ struct GpuMaterial {
     MaterialPlan plan;
     std::array<GLuint, kMaterialUnits> textures; ///< By sampler unit; never 0.
     DrawState state;
+    bool doubleSided, blended;
     UniformBlock<MaterialBlock> block;
+    bool isPacked = false;           ///< The block is that of the plan, in the current light and look.
     ProgramHandle program = nullptr; ///< In the current light and look; null where none can be had.
 };
 
-/// A primitive, placed in the world.
+/// What is drawn at once. Primitives of equal geometry share a mesh.
+struct GpuPrimitive {
+    std::size_t mesh; ///< Of GpuScene.
+    VertexContents contents;
+    Box bounds;
+    std::vector<std::size_t> materials; ///< Of GpuScene: its own, and then one for each variant, if any.
+
+    std::size_t materialIn(int variant) const {
+        const auto place = static_cast<std::size_t>(variant + 1);
+        return materials[place < materials.size() ? place : 0];
+    }
+};
+
+/// A primitive of an instance.
 struct Drawable {
-    std::size_t mesh, material; ///< Indices into GpuScene.
-    Bounds bounds;              ///< In the world.
-    glm::dvec3 position;        ///< Of its origin, in the world.
-    ObjectBlock block;          ///< But for what depends on the camera.
-    bool mirrored, doubleSided, blended;
+    std::size_t primitive; ///< Of GpuScene.
+    glm::dmat4 world;      ///< From the object to where the model stands.
+    bool mirrored;
 };
 
 /// A scene's GL objects and draws.
 struct GpuScene {
-    std::vector<GpuTexture> textures; ///< By scene texture; without a name where no material uses it.
-    std::vector<GpuMesh> meshes;      ///< One for each primitive.
+    std::vector<GpuTexture> textures;
+    std::vector<std::size_t> textureOf; ///< By scene texture; kNotUploaded where no material uses it.
+    std::vector<GpuMesh> meshes;
     std::vector<GpuMaterial> materials;
+    std::vector<GpuPrimitive> primitives; ///< In the order of the scene's meshes.
     std::vector<Drawable> drawables;
+
+    static constexpr std::size_t kNotUploaded = ~std::size_t{0};
 };
+
+/// What stays of a scene when its pixels and vertices are on the GPU.
+struct Outline {
+    Scene scene; ///< Textures, materials and variants alone.
+    std::vector<std::string> nodes;
+};
+Outline outlineOf(const Scene& scene);
 
 /// What is bound where a material has no texture: one texel that changes nothing.
 class DefaultTextures {
@@ -54,7 +79,17 @@ private:
     std::vector<GlTexture> m_textures;
 };
 
-/// Fails as check(scene), with "memory.budget" and with "gl.object".
-Result<GpuScene> upload(Device& device, const Scene& scene, const DefaultTextures& defaults);
+/// Fills in all that follows from the material of the outline, but the textures' names.
+void planMaterial(GpuMaterial& gpu, const Scene& outline, const Log& log);
+/// Of a material that differs from the one before in factors alone.
+void replaceFactors(GpuMaterial& gpu, const Scene& outline);
+/// Fills in these, all of which are uploaded.
+void bindTextures(GpuMaterial& material, const GpuScene& gpu, const DefaultTextures& defaults);
+
+/// Geometry that is equal, and images that are equal and sampled alike, are uploaded once. `outline` is that
+/// of the scene, its materials perhaps changed since. Fails as check(scene), with "memory.budget" and with
+/// "gl.object".
+Result<GpuScene> upload(Device& device, const Scene& scene, const Outline& outline,
+                        const DefaultTextures& defaults);
 
 } // namespace franken

@@ -34,18 +34,36 @@ void bind(const Gl& gl, GLenum target, const GlTexture& texture, const Texture& 
     setSampling(gl, target, sampling.wrapS, sampling.wrapT, sampling.magFilter, sampling.minFilter);
 }
 
+/// Makes a level of the texture that is bound, or replaces what is in it.
+using WriteLevel = void (*)(const Gl& gl, GLenum target, const Image& image, GLint level);
+
 void uploadPixels(const Gl& gl, GLenum target, const Image& image, GLint level = 0) {
     gl.TexImage2D(target, level, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
                   image.rgba.data());
 }
 
-void uploadLevels(const Gl& gl, const Image& image, bool mipmaps, TextureContents contents) {
-    uploadPixels(gl, GL_TEXTURE_2D, image);
+void replacePixels(const Gl& gl, GLenum target, const Image& image, GLint level) {
+    gl.TexSubImage2D(target, level, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                     image.rgba.data());
+}
+
+void writeLevels(const Gl& gl, const Image& image, bool mipmaps, TextureContents contents, WriteLevel write) {
+    write(gl, GL_TEXTURE_2D, image, 0);
     if (mipmaps && contents != TextureContents::Color)
         gl.GenerateMipmap(GL_TEXTURE_2D);
     else if (mipmaps)
         for (GLint level = 0; const Image& smaller : srgbMipmaps(image))
-            uploadPixels(gl, GL_TEXTURE_2D, smaller, ++level);
+            write(gl, GL_TEXTURE_2D, smaller, ++level);
+}
+
+void writeFitted(const Gl& gl, const Image& image, TextureSize size, const Texture& texture,
+                 TextureContents contents, WriteLevel write) {
+    const bool mipmaps = usesMipmaps(texture.minFilter);
+    if (size == TextureSize{image.width, image.height})
+        writeLevels(gl, image, mipmaps, contents, write);
+    else
+        writeLevels(gl, resampled(image, size.width, size.height, texture, contents), mipmaps, contents,
+                    write);
 }
 
 } // namespace
@@ -90,11 +108,18 @@ Result<GpuTexture> uploadTexture(Device& device, const Image& image, const Textu
     if (!name)
         return noObject("texture");
     bind(gl, GL_TEXTURE_2D, name, texture);
-    if (size == TextureSize{image.width, image.height})
-        uploadLevels(gl, image, mipmaps, contents);
-    else
-        uploadLevels(gl, resampled(image, size.width, size.height, texture, contents), mipmaps, contents);
-    return GpuTexture{std::move(name), *std::move(lease)};
+    writeFitted(gl, image, size, texture, contents, uploadPixels);
+    return GpuTexture{std::move(name), *std::move(lease), size, contents};
+}
+
+Result<bool> updateTexture(Device& device, GpuTexture& gpu, const Image& image, const Texture& texture) {
+    if (Result<void> checked = check(image); !checked)
+        return checked.error();
+    if (fittedSize(image, texture, device.capabilities) != gpu.size)
+        return false;
+    bind(device.gl, GL_TEXTURE_2D, gpu.texture, texture);
+    writeFitted(device.gl, image, gpu.size, texture, gpu.contents, replacePixels);
+    return true;
 }
 
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
@@ -126,7 +151,7 @@ Result<GpuTexture> uploadCube(Device& device, const SkyboxMap& cube) {
     for (std::size_t face = 0; face < cube.images.size(); ++face)
         uploadPixels(device.gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face),
                      cube.images[face]);
-    return GpuTexture{std::move(name), *std::move(lease)};
+    return GpuTexture{std::move(name), *std::move(lease), {cube.size, cube.size}};
 }
 
 } // namespace franken

@@ -2,6 +2,8 @@
 #include "franken/light.h"
 
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 
@@ -80,9 +82,42 @@ void keepStrongest(std::vector<PunctualLight>& lights) {
         }));
 }
 
+/// With all directions in the world, where the sky's rotation no longer counts for them.
+Sun inWorld(Sun sun, const glm::dmat3& worldFromSky) {
+    if (sun.ofSky)
+        sun.direction = toFloat3(worldFromSky * toVector(sun.direction));
+    sun.ofSky = false;
+    return sun;
+}
+
+Sun inSky(Sun sun, const glm::dmat3& skyFromWorld) {
+    if (!sun.ofSky)
+        sun.direction = toFloat3(skyFromWorld * toVector(sun.direction));
+    return sun;
+}
+
+/// From the eye.
+PunctualLight inSky(PunctualLight light, const glm::dvec3& eye, const glm::dmat3& skyFromWorld) {
+    const glm::dvec3 position =
+        skyFromWorld * (glm::dvec3(light.position[0], light.position[1], light.position[2]) - eye);
+    light.position = {position.x, position.y, position.z};
+    light.direction = toFloat3(skyFromWorld * toVector(light.direction));
+    return light;
+}
+
 } // namespace
 
+glm::dmat3 skyFromWorld(const Lighting& lighting) {
+    const glm::dquat& rotation = lighting.skyRotation;
+    if (rotation == glm::dquat(1, 0, 0, 0))
+        return glm::dmat3(1.0);
+    return glm::transpose(glm::mat3_cast(glm::normalize(rotation)));
+}
+
 Lighting fittedLighting(Lighting lighting) {
+    if (lighting.suns.size() > kMost)
+        for (Sun& sun : lighting.suns)
+            sun = inWorld(sun, glm::transpose(skyFromWorld(lighting)));
     while (lighting.suns.size() > kMost)
         mergeNearest(lighting.suns);
     keepStrongest(lighting.punctualLights);
@@ -119,10 +154,12 @@ LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye) {
     LightsBlock block{};
     packAmbient(block, lighting.ambientColor, lighting.exposure);
     packSky(block, lighting.sky, lighting.exposure);
+    const glm::dmat3 toSky = skyFromWorld(lighting);
     for (std::size_t i = 0; i < lighting.suns.size(); ++i)
-        packSun(block, i, lighting.suns[i], lighting.exposure);
+        packSun(block, i, inSky(lighting.suns[i], toSky), lighting.exposure);
     for (std::size_t i = 0; i < lighting.punctualLights.size(); ++i)
-        packPunctualLight(block, i, lighting.punctualLights[i], {eye.x, eye.y, eye.z}, lighting.exposure);
+        packPunctualLight(block, i, inSky(lighting.punctualLights[i], eye, toSky), {0, 0, 0},
+                          lighting.exposure);
     return block;
 }
 

@@ -202,6 +202,15 @@ MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents
     return Planner(scene, scene.materials[static_cast<std::size_t>(material)], contents, log).make();
 }
 
+void replaceFactors(MaterialPlan& plan, const Material& material) {
+    MaterialFactors factors = factorsOf(material);
+    factors.uv0Transform = plan.factors.uv0Transform;
+    factors.uv1Transform = plan.factors.uv1Transform;
+    if (plan.permutation.emissive == Emissive::None)
+        factors.emissive = {};
+    plan.factors = factors;
+}
+
 Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& lighting, const Look& look) {
     if (!fittingOf(lighting).empty())
         return permutationOf(plan, fittedLighting(lighting), look);

@@ -2,17 +2,15 @@
 #include "models.h"
 
 #include "checked_upload.h"
+#include "checks.h"
 #include "franken/guard.h"
+#include "franken/scene_check.h"
 #include "handle.h"
 
 #include <algorithm>
 
 namespace franken {
 namespace {
-
-Error unknownModel() {
-    return {"renderer.model", "", "there is no such model", "use what add() returned, until remove()"};
-}
 
 bool contains(const std::vector<Model*>& list, const Model& model) {
     return std::find(list.begin(), list.end(), &model) != list.end();
@@ -33,12 +31,20 @@ bool Models::isNeeded(const Model& model) const {
 }
 
 Result<void> Models::upload(Model& model, const Scene& scene) {
-    Result<GpuScene> gpu =
-        checkedUpload(m_device, [&] { return franken::upload(m_device, scene, *m_defaults); });
+    model.outline = outlineOf(scene);
+    for (const auto& [index, material] : model.changedMaterials)
+        if (static_cast<std::size_t>(index) < model.outline.scene.materials.size() &&
+            check(model.outline.scene, material))
+            model.outline.scene.materials[static_cast<std::size_t>(index)] = material;
+    Result<GpuScene> gpu = checkedUpload(
+        m_device, [&] { return franken::upload(m_device, scene, model.outline, *m_defaults); });
     if (!gpu)
         return gpu.error();
     model.gpu = *std::move(gpu);
-    return {};
+    Result<void> changed = applyChanges(model);
+    if (!changed)
+        model.gpu.reset();
+    return changed;
 }
 
 Result<void> Models::makeResident(Model& model) {
@@ -89,11 +95,12 @@ void Models::setShown(std::vector<Model*> models) {
 }
 
 Result<ModelId> Models::add(const Scene& scene, SceneSource source) {
-    auto model = std::make_unique<Model>(Model{newHandle<ModelId>(), std::move(source)});
+    auto model = std::make_unique<Model>(Model{newHandle<ModelId>(), std::move(source), {}, {}});
     if (Result<void> uploaded = upload(*model, scene); !uploaded)
         return uploaded.error();
     model->lastShown = m_device.clock;
     m_models.push_back(std::move(model));
+    makePlace(*m_models.back(), glm::dmat4(1.0));
     return m_models.back()->id;
 }
 
@@ -129,7 +136,19 @@ void Models::remove(ModelId id) {
         std::erase(m_shown, model);
         setShown(std::move(m_shown));
     }
-    std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() == model; });
+    erase(*model);
+}
+
+void Models::erase(Model& model) {
+    for (const Place* place : model.places)
+        m_places.erase(PlaceId{place->id}); // A copy: the place holds the other.
+    std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() == &model; });
+    m_device.state.invalidate();
+}
+
+void Models::eraseAllBut(const Model* kept) {
+    std::erase_if(m_places, [&](const auto& place) { return place.second.model != kept; });
+    std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() != kept; });
     m_device.state.invalidate();
 }
 
@@ -137,15 +156,14 @@ Result<void> Models::load(const Scene& scene, SceneSource source) {
     Result<ModelId> added = add(scene, source);
     if (!added && added.error().code == "memory.budget") {
         setShown({});
-        m_models.clear();
+        eraseAllBut(nullptr);
         added = add(scene, std::move(source));
     }
     if (!added)
         return added.error();
     Model* const model = find(*added);
     setShown({model});
-    std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() != model; });
-    m_device.state.invalidate();
+    eraseAllBut(model);
     return {};
 }
 

@@ -5,22 +5,49 @@
 #include "gl_owner.h"
 #include "gpu_scene.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace franken {
+
+struct Model;
+
+/// Where a model stands.
+struct Place {
+    PlaceId id;
+    Model* model;
+    glm::dmat4 world{1.0};
+    bool visible = true;
+    int variant = kNone;    ///< Of the scene.
+    unsigned movements = 0; ///< How often `world` has changed.
+};
+
+/// Pixels in place of those of the scene.
+struct TextureChange {
+    Image image; ///< Without pixels where there is a source.
+    PictureSource source;
+};
 
 /// A scene that was handed over, on the GPU or not.
 struct Model {
     ModelId id;
     SceneSource source; ///< May be empty.
+    Outline outline;
+    std::vector<Place*> places;                    ///< The oldest first.
+    std::map<int, Material> changedMaterials = {}; ///< By scene material.
+    std::map<int, TextureChange> changedTextures = {}; ///< By scene texture.
     std::optional<GpuScene> gpu = {};
     std::uint64_t lastShown = 0; ///< By Device::clock.
 };
 
-/// The models of a renderer: which are on the GPU, and which are shown. Renderer says what its functions do.
+/// The models of a renderer: which are on the GPU, which are shown, and where. Renderer says what its functions
+/// do.
 class Models final : public GlOwner {
 public:
     explicit Models(Device& device);
@@ -29,6 +56,19 @@ public:
     Result<void> show(std::span<const ModelId> ids);
     void remove(ModelId id);
     Result<void> load(const Scene& scene, SceneSource source);
+
+    Result<PlaceId> addPlace(ModelId id, const glm::dmat4& world);
+    Result<PlaceId> firstPlace(ModelId id) const;
+    void removePlace(PlaceId id);
+    Result<void> setWorld(PlaceId id, const glm::dmat4& world);
+    Result<void> setVisible(PlaceId id, bool visible);
+
+    Result<void> setVariant(ModelId id, std::string_view name);
+    Result<void> setVariant(PlaceId id, std::string_view name);
+    Result<void> setMaterial(ModelId id, int index, const Material& values);
+    Result<Material> materialOf(ModelId id, int index) const;
+    Result<void> setTexture(ModelId id, int index, const Image& image, PictureSource source);
+    Result<ModelNames> namesOf(ModelId id) const;
 
     void lost() override;
     Result<void> restore() override;
@@ -39,9 +79,19 @@ public:
     const std::vector<Model*>& shown() const { return m_shown; }
     /// Another number after each change of what is shown: pointers into the models are only good for one.
     unsigned revision() const { return m_revision; }
+    /// Another number after each change of where places are and whether they are visible.
+    unsigned movements() const { return m_movements; }
 
 private:
     Model* find(ModelId id) const;
+    const Place* find(PlaceId id) const;
+    Place* find(PlaceId id) { return const_cast<Place*>(std::as_const(*this).find(id)); }
+    Place& makePlace(Model& model, const glm::dmat4& world);
+    void erase(Model& model);
+    void eraseAllBut(const Model* kept);
+    Result<void> applyChanges(Model& model);
+    void replan(GpuMaterial& material, const Model& model);
+    Result<void> replaceTexture(Model& model, int index, const Image& image);
     bool isNeeded(const Model& model) const;
     const Model* oldest() const;
     Result<void> upload(Model& model, const Scene& scene);
@@ -52,8 +102,9 @@ private:
     Device& m_device;
     std::optional<DefaultTextures> m_defaults; ///< Nothing while there is no context.
     std::vector<std::unique_ptr<Model>> m_models;
+    std::unordered_map<PlaceId, Place> m_places; ///< Whose addresses stay.
     std::vector<Model*> m_shown, m_wanted; ///< Neither is evicted; `m_wanted` is about to be shown.
-    unsigned m_revision = 0;
+    unsigned m_revision = 0, m_movements = 0;
 };
 
 } // namespace franken

@@ -110,6 +110,13 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
         return result;
     }
 
+    /// Likewise of those that call no GL and need no context.
+    template<typename Function>
+    auto note(const char* where, Function&& function)->decltype(function()) {
+        device.thread.check();
+        return guarded(where, std::forward<Function>(function));
+    }
+
     Device device;
     OwnedPrograms programs{device};
     Models models{device};
@@ -140,6 +147,48 @@ Result<void> Renderer::show(std::span<const ModelId> models) {
 }
 
 void Renderer::remove(ModelId model) { m_state->models.remove(model); }
+
+Result<PlaceId> Renderer::addPlace(ModelId model, const glm::dmat4& world) {
+    return m_state->note("addPlace()", [&] { return m_state->models.addPlace(model, world); });
+}
+
+Result<PlaceId> Renderer::firstPlace(ModelId model) const { return m_state->models.firstPlace(model); }
+
+void Renderer::removePlace(PlaceId place) { m_state->models.removePlace(place); }
+
+Result<void> Renderer::setWorld(PlaceId place, const glm::dmat4& world) {
+    return m_state->models.setWorld(place, world);
+}
+
+Result<void> Renderer::setVisible(PlaceId place, bool visible) {
+    return m_state->models.setVisible(place, visible);
+}
+
+Result<void> Renderer::setVariant(ModelId model, std::string_view name) {
+    return m_state->note("setVariant()", [&] { return m_state->models.setVariant(model, name); });
+}
+
+Result<void> Renderer::setVariant(PlaceId place, std::string_view name) {
+    return m_state->note("setVariant()", [&] { return m_state->models.setVariant(place, name); });
+}
+
+Result<void> Renderer::setMaterial(ModelId model, int material, const Material& values) {
+    return m_state->note("setMaterial()",
+                         [&] { return m_state->models.setMaterial(model, material, values); });
+}
+
+Result<Material> Renderer::materialOf(ModelId model, int material) const {
+    return m_state->note("materialOf()", [&] { return m_state->models.materialOf(model, material); });
+}
+
+Result<void> Renderer::setTexture(ModelId model, int texture, const Image& image, PictureSource source) {
+    const auto set = [&] { return m_state->models.setTexture(model, texture, image, std::move(source)); };
+    return m_state->call("setTexture()", set);
+}
+
+Result<ModelNames> Renderer::namesOf(ModelId model) const {
+    return m_state->note("namesOf()", [&] { return m_state->models.namesOf(model); });
+}
 
 Result<void> Renderer::load(const Scene& scene, SceneSource source) {
     return m_state->call("load()", [&] { return m_state->models.load(scene, std::move(source)); });

@@ -21,6 +21,7 @@ struct Sun {
     Float3 direction{0, -1, 0}; ///< Where its light travels, world space; any length but 0
     Float3 color{1, 1, 1};      ///< Linear
     float illuminance = 0;      ///< lux, 0 and up
+    bool ofSky = false;         ///< Taken out of a sky: where that is turned, the direction turns with it.
 };
 
 /// A light with a position (KHR_lights_punctual, point and spot).

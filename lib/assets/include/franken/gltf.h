@@ -36,7 +36,7 @@ struct LoadOptions {
 /// Animations, points, lines and optional extensions that are not known are left out, each with one warning.
 ///
 /// Known extensions: KHR_lights_punctual, KHR_materials_emissive_strength, KHR_materials_unlit,
-/// KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires is an error that names
+/// KHR_materials_variants, KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires is an error that names
 /// it, unless a picture at rest is right without.
 ///
 /// The file may be an enemy's. Its container, JSON, names and types are checked before a parser sees them,

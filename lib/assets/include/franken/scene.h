@@ -103,7 +103,9 @@ struct Primitive {
     std::vector<std::uint32_t>
         indices;      ///< Triangle list, counter-clockwise in front; each < positions.size().
     int material = 0; ///< Index into Scene::materials; always valid.
-    Box bounds;       ///< Of `positions`.
+    /// Likewise, for each of Scene::variants; kNone, or beyond the end: `material` in that variant as well.
+    std::vector<int> variantMaterials;
+    Box bounds; ///< Of `positions`.
 };
 
 struct Mesh {
@@ -163,6 +165,7 @@ struct Scene {
     std::vector<Instance> instances; ///< In the order of the node tree.
     std::vector<Camera> cameras;     ///< In the order of the file's array; one for each node that has one.
     std::vector<Light> lights;       ///< In the order of the node tree.
+    std::vector<std::string> variants; ///< KHR_materials_variants: other materials to choose, by name.
 
     /// Of all instances, in the world; empty where nothing is drawn.
     Box bounds() const;

@@ -13,4 +13,7 @@ namespace FRANKEN_API franken {
 /// is wrong. Takes a pass over all vertices and indices. Safe on any thread.
 Result<void> check(const Scene& scene);
 
+/// Likewise, of a material alone that is to become one of the scene's. Needs none of its pixels and vertices.
+Result<void> check(const Scene& scene, const Material& material);
+
 } // namespace franken

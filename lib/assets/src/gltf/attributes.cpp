@@ -93,9 +93,9 @@ Fit judge(const tinygltf::Accessor& accessor, const std::string& name, bool isTa
 /// Chooses among the attributes of one primitive.
 class Chooser {
 public:
-    Chooser(Document& source, const Material& material, const Pose& pose, std::size_t vertices)
+    Chooser(Document& source, const MaterialChoice& materials, const Pose& pose, std::size_t vertices)
         : m_source(source),
-          m_material(material),
+          m_materials(materials),
           m_pose(pose),
           m_vertices(vertices),
           m_quantized(source.uses("KHR_mesh_quantization")) {}
@@ -144,10 +144,16 @@ private:
                           " in the accessor's type, unless an extension says so; it is read as it stands");
     }
 
-    bool samples(int uvSet) const {
+    template<typename Predicate>
+    bool anyMaterial(Predicate predicate) const {
+        return std::any_of(m_materials.begin(), m_materials.end(),
+                           [&](const Material* material) { return predicate(*material); });
+    }
+
+    static bool samples(const Material& material, int uvSet) {
         for (const TextureRef* ref :
-             {&m_material.baseColorTexture, &m_material.metallicRoughnessTexture, &m_material.normalTexture,
-              &m_material.occlusionTexture, &m_material.emissiveTexture})
+             {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+              &material.occlusionTexture, &material.emissiveTexture})
             if (*ref && ref->uvSet == uvSet)
                 return true;
         return false;
@@ -155,20 +161,22 @@ private:
 
     bool isNeeded(const std::string& name, bool isTarget) const {
         if (name == "NORMAL")
-            return !m_material.unlit;
+            return anyMaterial([](const Material& material) { return !material.unlit; });
         if (name == "TANGENT")
-            return static_cast<bool>(m_material.normalTexture) && !m_material.unlit;
+            return anyMaterial(
+                [](const Material& material) { return material.normalTexture && !material.unlit; });
         if (isTarget)
             return name == "POSITION";
         if (name == "TEXCOORD_0" || name == "TEXCOORD_1")
-            return samples(name.back() - '0');
+            return anyMaterial(
+                [&](const Material& material) { return samples(material, name.back() - '0'); });
         if (name == "JOINTS_0" || name == "WEIGHTS_0")
             return !m_pose.joints.empty();
         return name == "POSITION" || name == "COLOR_0";
     }
 
     Document& m_source;
-    const Material& m_material;
+    const MaterialChoice& m_materials;
     const Pose& m_pose;
     std::size_t m_vertices;
     bool m_quantized;
@@ -189,13 +197,13 @@ bool checkIndices(Document& source, int index, const std::string& where) {
 
 } // namespace
 
-bool chooseAttributes(Document& source, const Material& material, const Pose& pose, const std::string& where,
-                      tinygltf::Primitive& primitive) {
+bool chooseAttributes(Document& source, const MaterialChoice& materials, const Pose& pose,
+                      const std::string& where, tinygltf::Primitive& primitive) {
     const int position = primitive.attributes["POSITION"];
     if (!source.need(pathOf("accessors", position)) ||
         !checkIndices(source, primitive.indices, where + "/indices"))
         return false;
-    Chooser chooser(source, material, pose, source.model.accessors[at(position)].count);
+    Chooser chooser(source, materials, pose, source.model.accessors[at(position)].count);
     if (!chooser.choose(primitive.attributes, false, true, where + "/attributes"))
         return false;
     for (std::size_t t = 0; t < primitive.targets.size(); ++t) {

@@ -7,6 +7,7 @@
 #include "franken/tangents.h"
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"
+#include "gltf/variants.h"
 
 namespace franken::gltf {
 namespace {
@@ -129,11 +130,14 @@ void normalize(const Document& source, const std::string& where, Primitive& prim
         tangent = {unitOr(glm::vec3(tangent), {1.0f, 0.0f, 0.0f}), tangent.w < 0.0f ? -1.0f : 1.0f};
 }
 
-void completeTangents(Document& source, const Material& material, const std::string& where,
+// By the first of its materials that has a normal texture: a vertex has one tangent.
+void completeTangents(Document& source, const MaterialChoice& materials, const std::string& where,
                       Primitive& primitive) {
-    if (!material.normalTexture || !primitive.tangents.empty())
+    const auto found = std::find_if(materials.begin(), materials.end(),
+                                    [](const Material* material) { return material->normalTexture; });
+    if (found == materials.end() || !primitive.tangents.empty())
         return;
-    const std::vector<glm::vec2> uv = sampledUv(primitive, material.normalTexture);
+    const std::vector<glm::vec2> uv = sampledUv(primitive, (*found)->normalTexture);
     if (uv.empty())
         return source.warn(kLeftOut, where,
                            "the material has a normal texture, but its UV stream is missing");
@@ -146,6 +150,14 @@ int materialOf(const tinygltf::Primitive& from, Scene& scene, std::size_t fileMa
     if (scene.materials.size() == fileMaterials)
         scene.materials.emplace_back();
     return static_cast<int>(fileMaterials);
+}
+
+MaterialChoice materialsOf(const Primitive& primitive, const Scene& scene) {
+    MaterialChoice materials{&scene.materials[at(primitive.material)]};
+    for (const int material : primitive.variantMaterials)
+        if (material != kNone)
+            materials.push_back(&scene.materials[at(material)]);
+    return materials;
 }
 
 // A buffer without URI, and not the binary chunk: glTF 2.0, 3.6.1.1, leaves its bytes to others.
@@ -183,8 +195,11 @@ bool chargePrimitive(Document& source, const tinygltf::Primitive& from, const st
         from.indices == kNone ? vertices : source.model.accessors[at(from.indices)].count;
     const std::size_t corners = from.mode == TINYGLTF_MODE_TRIANGLES ? read : 3 * read;
     const bool flat = find(from, "NORMAL") == kNone;
-    const bool tangents = (flat || find(from, "TANGENT") == kNone) && from.material != kNone &&
-                          source.model.materials[at(from.material)].normalTexture.index != kNone;
+    const std::vector<int> materials = possibleMaterials(from, source.model.materials.size());
+    const bool tangents = (flat || find(from, "TANGENT") == kNone) &&
+                          std::any_of(materials.begin(), materials.end(), [&](int material) {
+                              return source.model.materials[at(material)].normalTexture.index != kNone;
+                          });
     return source.charge(vertices, kVertexBytes, where) && source.charge(read, 4, where) &&
            source.charge(corners, 4 + (flat ? kVertexBytes : 0) + (tangents ? kTangentBytes : 0), where);
 }
@@ -192,7 +207,10 @@ bool chargePrimitive(Document& source, const tinygltf::Primitive& from, const st
 bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string& where, const Pose& pose,
                    Scene& scene, Primitive& primitive) {
     primitive.material = materialOf(from, scene, source.model.materials.size());
-    if (!chooseAttributes(source, scene.materials[at(primitive.material)], pose, where, from) ||
+    if (!readVariantMaterials(source, from, where, scene.variants.size(), primitive.variantMaterials))
+        return false;
+    const MaterialChoice materials = materialsOf(primitive, scene);
+    if (!chooseAttributes(source, materials, pose, where, from) ||
         !chargePrimitive(source, from, where) || !readAttributes(source, from, primitive) ||
         !readTriangles(source, from, where, primitive))
         return false;
@@ -204,7 +222,7 @@ bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string
     if (primitive.normals.empty())
         computeFlatNormals(primitive);
     normalize(source, where, primitive);
-    completeTangents(source, scene.materials[at(primitive.material)], where, primitive);
+    completeTangents(source, materials, where, primitive);
     for (const glm::vec3& position : primitive.positions)
         primitive.bounds.add(position);
     return true;

@@ -21,10 +21,13 @@ struct Pose {
 /// default is added where it is needed; a mesh of which nothing can be drawn comes out without primitives.
 bool readMesh(Document& source, int mesh, const Pose& pose, Scene& scene, Mesh& out);
 
+/// Materials that one primitive can have: its own, and those of variants.
+using MaterialChoice = std::vector<const Material*>;
+
 /// Takes out of the primitive what is not read, with a warning where it is faulty, and mends what has only
-/// one reading. Fails where something is wrong with an attribute that its material or its pose needs.
-bool chooseAttributes(Document& source, const Material& material, const Pose& pose, const std::string& where,
-                      tinygltf::Primitive& primitive);
+/// one reading. Fails where something is wrong with an attribute that its materials or its pose need.
+bool chooseAttributes(Document& source, const MaterialChoice& materials, const Pose& pose,
+                      const std::string& where, tinygltf::Primitive& primitive);
 
 /// Adds the weighted morph targets to positions, and to normals and tangents where the primitive has them.
 bool applyMorph(Document& source, const tinygltf::Primitive& from, const std::string& where,

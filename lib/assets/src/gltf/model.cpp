@@ -6,6 +6,15 @@
 namespace franken::gltf {
 namespace {
 
+/// A mapping is an object of an object's array, and tinygltf makes a Value of each number in it.
+bool chargeVariants(Source& source, const Json& primitive, const std::string& where) {
+    for (const Json& mapping :
+         member(member(member(primitive, "extensions"), "KHR_materials_variants"), "mappings"))
+        if (!source.charge(member(mapping, "variants").size() + 4, 3 * sizeof(tinygltf::Value), where))
+            return false;
+    return true;
+}
+
 // tinygltf's objects are much larger than what JSON says of them, and its arrays grow by doubling: for a
 // moment there are up to three places for each element.
 bool chargeObjects(Source& source, const Json& root) {
@@ -13,10 +22,18 @@ bool chargeObjects(Source& source, const Json& root) {
         return source.charge(array.size(), 3 * bytes, where);
     };
     const Json& lights = member(member(member(root, "extensions"), "KHR_lights_punctual"), "lights");
-    for (const Json& mesh : member(root, "meshes"))
+    for (const Json& mesh : member(root, "meshes")) {
         if (!charge(mesh["primitives"], sizeof(tinygltf::Primitive), "/meshes"))
             return false;
-    return charge(member(root, "buffers"), sizeof(tinygltf::Buffer) + sizeof(Buffer), "/buffers") &&
+        for (const Json& primitive : mesh["primitives"])
+            if (!chargeVariants(source, primitive, "/meshes"))
+                return false;
+    }
+    const Json& variants =
+        member(member(member(root, "extensions"), "KHR_materials_variants"), "variants");
+    return charge(variants, 3 * sizeof(tinygltf::Value) + sizeof(std::string),
+                  "/extensions/KHR_materials_variants") &&
+           charge(member(root, "buffers"), sizeof(tinygltf::Buffer) + sizeof(Buffer), "/buffers") &&
            charge(member(root, "bufferViews"), sizeof(tinygltf::BufferView), "/bufferViews") &&
            charge(member(root, "accessors"), sizeof(tinygltf::Accessor), "/accessors") &&
            charge(member(root, "images"), sizeof(tinygltf::Image) + sizeof(EncodedImage), "/images") &&

@@ -13,6 +13,7 @@
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"
 #include "gltf/node.h"
+#include "gltf/variants.h"
 
 namespace franken::gltf {
 namespace {
@@ -248,11 +249,14 @@ std::vector<bool> materialsInScene(const Document& source) {
     for (const int node : depthFirst(model, sceneRoots(model)))
         if (const int mesh = model.nodes[at(node)].mesh; mesh != kNone)
             for (const tinygltf::Primitive& primitive : model.meshes[at(mesh)].primitives)
-                if (primitive.material != kNone)
-                    used[at(primitive.material)] = true;
+                for (const int material : possibleMaterials(primitive, used.size()))
+                    used[at(material)] = true;
     return used;
 }
 
-bool readNodes(Document& source, Scene& scene) { return Walker(source, scene).walk(); }
+bool readNodes(Document& source, Scene& scene) {
+    readVariants(source, scene);
+    return Walker(source, scene).walk();
+}
 
 } // namespace franken::gltf

@@ -112,11 +112,15 @@ constexpr Property kSampler[]{{"magFilter", Kind::Integer},
                               {"wrapS", Kind::Integer},
                               {"wrapT", Kind::Integer}};
 
+constexpr Property kMapping[]{{"material", Kind::Index}, {"variants", Kind::Index, kMany}};
+constexpr Property kMappings[]{elements("mappings", kMapping, "{}")};
+constexpr Property kPrimitiveExtensions[]{{"KHR_materials_variants", Kind::Object, kOne, kMappings}};
 constexpr Property kPrimitive[]{required("attributes", Kind::Attributes),
                                 {"indices", Kind::Index},
                                 {"material", Kind::Index},
                                 {"mode", Kind::Integer},
-                                {"targets", Kind::Attributes, kMany}};
+                                {"targets", Kind::Attributes, kMany},
+                                {"extensions", Kind::Object, kOne, kPrimitiveExtensions}};
 constexpr Property kMesh[]{{"name", Kind::Name},
                            required("primitives", Kind::Object, kMany, kPrimitive),
                            {"weights", Kind::Number, kMany}};
@@ -154,7 +158,10 @@ constexpr Property kLight[]{{"name", Kind::Name},       required("type", Kind::S
                             {"color", Kind::Number, 3}, {"intensity", Kind::Number},
                             {"range", Kind::Number},    {"spot", Kind::Object, kOne, kSpot}};
 constexpr Property kLights[]{{"lights", Kind::Object, kMany, kLight, true, R"({"type": "point"})"}};
-constexpr Property kFileExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kLights}};
+constexpr Property kVariant[]{{"name", Kind::Name}};
+constexpr Property kVariants[]{elements("variants", kVariant, "{}")};
+constexpr Property kFileExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kLights},
+                                     {"KHR_materials_variants", Kind::Object, kOne, kVariants}};
 constexpr Property kAsset[]{required("version", Kind::String)};
 
 constexpr Property kFile[]{

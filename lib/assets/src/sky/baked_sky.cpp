@@ -101,7 +101,7 @@ std::optional<Sun> readSun(Reader& reader) {
     const bool aims = std::any_of(direction.begin(), direction.end(), [](float x) { return x != 0; });
     if (!shines || !aims)
         return std::nullopt;
-    return Sun{direction, color, illuminance};
+    return Sun{.direction = direction, .color = color, .illuminance = illuminance, .ofSky = true};
 }
 
 Error broken(std::string what) { return {"sky.baked", "", std::move(what), "bake the sky again"}; }

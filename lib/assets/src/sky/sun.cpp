@@ -59,7 +59,10 @@ std::optional<Sun> takeSun(Environment& sky) {
     });
     const double most = std::max({irradiance.r, irradiance.g, irradiance.b});
     const glm::vec3 travels = -glm::normalize(middle), color = irradiance / most;
-    return Sun{{travels.x, travels.y, travels.z}, {color.r, color.g, color.b}, static_cast<float>(most)};
+    return Sun{.direction = {travels.x, travels.y, travels.z},
+               .color = {color.r, color.g, color.b},
+               .illuminance = static_cast<float>(most),
+               .ofSky = true};
 }
 
 } // namespace franken

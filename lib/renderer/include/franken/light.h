@@ -6,6 +6,9 @@
 #include "franken/log.h"
 #include "franken/scene.h"
 
+#include <glm/ext/matrix_double3x3.hpp>
+#include <glm/ext/quaternion_double.hpp>
+
 #include <string>
 #include <vector>
 
@@ -20,6 +23,11 @@ struct Lighting {
     Ambient ambient = Ambient::None;           ///< Which of the next two is used.
     Float3 ambientColor{0, 0, 0};              ///< Linear radiance, 0 and up.
     SkyCoefficients sky{};
+    /// From the sky to the world: turns the skybox, `sky`, the reflection, and suns that are the sky's own
+    /// (Sun::ofSky). About up: glm::angleAxis(angle, glm::dvec3(0, 1, 0)). Any length but 0. Costs nothing in
+    /// a shader: the world is handed to programs as the sky sees it. A frame after a change computes the
+    /// matrices of all objects again.
+    glm::dquat skyRotation{1, 0, 0, 0};
     /// Beside Ambient::Sky: whether surfaces reflect the sky that the renderer was given
     /// (Renderer::setReflection).
     Reflection reflection = Reflection::None;
@@ -38,8 +46,11 @@ Lighting fittedLighting(Lighting lighting);
 /// That in words, for a log; empty where nothing has to be fitted.
 std::string fittingOf(const Lighting& lighting);
 
-/// Folds all of it for programs, after fittedLighting(). Punctual lights are given from the eye: `eye` is the
-/// camera's place in the world, m.
+/// From the world to the sky, which is the space that programs compute in: the inverse of skyRotation.
+glm::dmat3 skyFromWorld(const Lighting& lighting);
+
+/// Folds all of it for programs, after fittedLighting(). Lights are given in the sky's space, and punctual
+/// ones from the eye: `eye` is the camera's place in the world, m.
 LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye);
 
 } // namespace franken

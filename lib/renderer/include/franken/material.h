@@ -59,6 +59,10 @@ struct MaterialPlan {
 MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents& contents,
                           const Log& log = {});
 
+/// The factors of a material that differs in them alone from the one that was planned, and glows as it did or
+/// did not. Allocates nothing.
+void replaceFactors(MaterialPlan& plan, const Material& material);
+
 /// The program that draws such a material in that light, canonical. Fails where canonicalise() does.
 Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& lighting, const Look& look);
 

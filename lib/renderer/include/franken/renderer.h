@@ -11,6 +11,7 @@
 #include "franken/log.h"
 #include "franken/material.h"
 #include "franken/overlay.h"
+#include "franken/place.h"
 #include "franken/program_manager.h"
 #include "franken/program_uses.h"
 #include "franken/reflection.h"
@@ -21,6 +22,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace FRANKEN_API franken {
 
@@ -78,12 +80,63 @@ public:
     /// "renderer.model" for an unknown model, and with "renderer.no-source" for a lost one.
     Result<void> show(std::span<const ModelId> models);
 
-    /// Deletes a model. Does nothing for an unknown one.
+    /// Deletes a model and its places. Does nothing for an unknown one.
     void remove(ModelId model);
 
     /// Adds a model, shows it and removes all others. Fails as add() does; the other models stay then, unless
     /// they were evicted to make room.
     Result<void> load(const Scene& scene, SceneSource source = {});
+
+    // Places. add() puts a model at one place, where its scene has it. All places of a model share its
+    // buffers, textures and programs: one more costs no GPU memory and some 300 bytes for each primitive.
+    // All of them are drawn while the model is shown, but those that are hidden. None of these calls needs
+    // the context, and none loses its effect where the model is evicted or the context lost. They fail with
+    // "renderer.model" and "renderer.place" for what is not there (any more), and with "renderer.transform"
+    // for a matrix that is not finite, or not affine.
+
+    /// Puts a model at one more place. `world` leads from the scene's world to the renderer's. The next frame
+    /// sorts all draws anew.
+    Result<PlaceId> addPlace(ModelId model, const glm::dmat4& world = glm::dmat4(1.0));
+    /// The oldest place of a model: the one that add() made, until it is removed.
+    Result<PlaceId> firstPlace(ModelId model) const;
+    /// Likewise sorts all draws anew. Does nothing for an unknown place.
+    void removePlace(PlaceId place);
+    /// Moves all that stands there; a mirror in the matrix mirrors. Uploads nothing: the next frame computes
+    /// one matrix for each primitive of the place.
+    Result<void> setWorld(PlaceId place, const glm::dmat4& world);
+    /// Hides or shows what stands there, at no cost. Its programs are there already when it is shown.
+    Result<void> setVisible(PlaceId place, bool visible);
+
+    // Changes of a model. Each uploads what changed and nothing else, and outlasts eviction and loss of the
+    // context. Where a material comes to need another program, that is a miss as any other (see takeMisses()
+    // and setCompileBudget()); usesOf() lists the programs of all variants beforehand, and those of changed
+    // materials for a scene that has them. They fail with "renderer.model" for an unknown model.
+
+    /// Chooses one of the scene's variants (KHR_materials_variants) for all places that the model has now;
+    /// "" for the materials without a variant. The materials of all variants are on the GPU from the start, so
+    /// that nothing is uploaded; the next frame sorts all draws anew. Fails with "renderer.variant" for an
+    /// unknown name.
+    Result<void> setVariant(ModelId model, std::string_view name);
+    /// Likewise, for one place.
+    Result<void> setVariant(PlaceId place, std::string_view name);
+
+    /// Replaces a material of the scene; `material` is an index into Scene::materials. Where only factors are
+    /// others (colours, metallic, roughness, scales, cutoff), no program is looked up: some uniforms are
+    /// uploaded with the next draw. Fails with "renderer.material" for an unknown index, for numbers out of
+    /// range, and for a texture that the scene does not have, or that none of its materials used when it was
+    /// added.
+    Result<void> setMaterial(ModelId model, int material, const Material& values);
+    /// The material as it is now, to be changed and set again. Fails as setMaterial() does.
+    Result<Material> materialOf(ModelId model, int material) const;
+
+    /// Replaces the pixels of a texture of the scene (an index into Scene::textures), and its size; its filters
+    /// stay. Uploads the image with its mipmaps, into the same memory where the size is the same. The source
+    /// reads the pixels again; without one, the renderer keeps them. Fails as an upload, and with
+    /// "renderer.texture" for an index that is unknown or that no material uses.
+    Result<void> setTexture(ModelId model, int texture, const Image& image, PictureSource source = {});
+
+    /// The names in a model; of evicted models as well. Copies them.
+    Result<ModelNames> namesOf(ModelId model) const;
 
     /// Shows a sky behind the scene, or none (null). It lights nothing; Lighting does. Fails as an upload,
     /// and with "renderer.sky" or "renderer.image" where the cube's faces do not fit together or the GPU.

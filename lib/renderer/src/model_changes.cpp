@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Changes of a model that is loaded: its variant, its materials, its textures.
+#include "checked_upload.h"
+#include "checks.h"
+#include "franken/guard.h"
+#include "franken/scene_check.h"
+#include "models.h"
+
+#include <algorithm>
+#include <string>
+
+namespace franken {
+namespace {
+
+bool isIndex(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
+
+/// The index of the variant; kNone for none of them ("").
+Result<int> findVariant(const Model& model, std::string_view name) {
+    if (name.empty())
+        return kNone;
+    const std::vector<std::string>& variants = model.outline.scene.variants;
+    const auto found = std::find(variants.begin(), variants.end(), name);
+    if (found != variants.end())
+        return static_cast<int>(found - variants.begin());
+    std::string known;
+    for (const std::string& variant : variants)
+        known += (known.empty() ? "" : ", ") + variant;
+    return Error{"renderer.variant", std::string(name), "the model has no such variant",
+                 variants.empty() ? "it has none: pass \"\"" : "it has " + known};
+}
+
+bool sameRef(const TextureRef& a, const TextureRef& b) {
+    return a.texture == b.texture && a.uvSet == b.uvSet && a.transform == b.transform &&
+           a.transformed == b.transformed;
+}
+
+/// Whether both are drawn by the same programs with the same textures.
+bool differInFactorsAlone(const Material& a, const Material& b) {
+    const auto glows = [](const Material& material) { return material.emissive != glm::vec3(0); };
+    return sameRef(a.baseColorTexture, b.baseColorTexture) &&
+           sameRef(a.metallicRoughnessTexture, b.metallicRoughnessTexture) &&
+           sameRef(a.normalTexture, b.normalTexture) && sameRef(a.occlusionTexture, b.occlusionTexture) &&
+           sameRef(a.emissiveTexture, b.emissiveTexture) && a.alphaMode == b.alphaMode &&
+           a.doubleSided == b.doubleSided && a.unlit == b.unlit && glows(a) == glows(b);
+}
+
+Error unknownMaterial(int index, std::size_t count) {
+    return {"renderer.material", "materials[" + std::to_string(index) + "]", "there is no such material",
+            "the model has " + std::to_string(count) + ": see namesOf()"};
+}
+
+Error unknownTexture(const char* code, int index) {
+    return {code, "textures[" + std::to_string(index) + "]",
+            "no material of the model used such a texture when it was added, so that it is not loaded",
+            "use it in a material, or a variant's, before add()"};
+}
+
+} // namespace
+
+Result<void> Models::setVariant(ModelId id, std::string_view name) {
+    Model* const model = find(id);
+    if (model == nullptr)
+        return unknownModel();
+    const Result<int> variant = findVariant(*model, name);
+    if (!variant)
+        return variant.error();
+    for (Place* place : model->places)
+        place->variant = *variant;
+    ++m_revision;
+    return {};
+}
+
+Result<void> Models::setVariant(PlaceId id, std::string_view name) {
+    Place* const place = find(id);
+    if (place == nullptr)
+        return unknownPlace();
+    const Result<int> variant = findVariant(*place->model, name);
+    if (!variant)
+        return variant.error();
+    place->variant = *variant;
+    ++m_revision;
+    return {};
+}
+
+Result<Material> Models::materialOf(ModelId id, int index) const {
+    const Model* const model = find(id);
+    if (model == nullptr)
+        return unknownModel();
+    const std::vector<Material>& materials = model->outline.scene.materials;
+    if (!isIndex(index, materials.size()))
+        return unknownMaterial(index, materials.size());
+    return materials[static_cast<std::size_t>(index)];
+}
+
+Result<void> Models::setMaterial(ModelId id, int index, const Material& values) {
+    Model* const model = find(id);
+    if (model == nullptr)
+        return unknownModel();
+    Scene& outline = model->outline.scene;
+    if (!isIndex(index, outline.materials.size()))
+        return unknownMaterial(index, outline.materials.size());
+    if (const Result<void> checked = check(outline, values); !checked)
+        return Error{"renderer.material", checked.error().where, checked.error().what,
+                     "nothing was changed: pass another value"};
+    for (const TextureRef* ref : {&values.baseColorTexture, &values.metallicRoughnessTexture,
+                                  &values.normalTexture, &values.occlusionTexture, &values.emissiveTexture})
+        if (*ref && model->gpu &&
+            model->gpu->textureOf[static_cast<std::size_t>(ref->texture)] == GpuScene::kNotUploaded)
+            return unknownTexture("renderer.material", ref->texture);
+    Material& current = outline.materials[static_cast<std::size_t>(index)];
+    const bool factorsAlone = differInFactorsAlone(current, values);
+    current = values;
+    model->changedMaterials[index] = values;
+    if (!model->gpu)
+        return {};
+    for (GpuMaterial& material : model->gpu->materials)
+        if (material.material == index)
+            factorsAlone ? replaceFactors(material, outline) : replan(material, *model);
+    return {};
+}
+
+Result<void> Models::setTexture(ModelId id, int index, const Image& image, PictureSource source) {
+    Model* const model = find(id);
+    if (model == nullptr)
+        return unknownModel();
+    if (Result<void> checked = check(image); !checked)
+        return checked;
+    if (!isIndex(index, model->outline.scene.textures.size()) ||
+        (model->gpu &&
+         model->gpu->textureOf[static_cast<std::size_t>(index)] == GpuScene::kNotUploaded))
+        return unknownTexture("renderer.texture", index);
+    if (model->gpu)
+        if (Result<void> replaced = replaceTexture(*model, index, image); !replaced)
+            return replaced;
+    TextureChange& change = model->changedTextures[index];
+    change.image = source ? Image{} : image;
+    change.source = std::move(source);
+    return {};
+}
+
+void Models::replan(GpuMaterial& material, const Model& model) {
+    planMaterial(material, model.outline.scene, m_device.log);
+    bindTextures(material, *model.gpu, *m_defaults);
+    ++m_revision; // It may be blended now, or seen from both sides.
+}
+
+Result<void> Models::replaceTexture(Model& model, int index, const Image& image) {
+    GpuScene& gpu = *model.gpu;
+    std::size_t& uploaded = gpu.textureOf[static_cast<std::size_t>(index)];
+    const Texture& sampling = model.outline.scene.textures[static_cast<std::size_t>(index)];
+    const bool isShared = std::count(gpu.textureOf.begin(), gpu.textureOf.end(), uploaded) > 1;
+    const TextureContents contents = gpu.textures[uploaded].contents;
+    const Result<bool> updated =
+        isShared ? Result<bool>(false) : checkedUpload(m_device, [&] {
+            return updateTexture(m_device, gpu.textures[uploaded], image, sampling);
+        });
+    if (!updated)
+        return updated.error();
+    if (*updated)
+        return {};
+    Result<GpuTexture> made =
+        checkedUpload(m_device, [&] { return uploadTexture(m_device, image, sampling, contents); });
+    if (!made)
+        return made.error();
+    if (isShared) {
+        uploaded = gpu.textures.size();
+        gpu.textures.push_back(*std::move(made));
+    } else {
+        gpu.textures[uploaded] = *std::move(made);
+    }
+    for (GpuMaterial& material : gpu.materials)
+        bindTextures(material, gpu, *m_defaults);
+    return {};
+}
+
+Result<void> Models::applyChanges(Model& model) {
+    for (const auto& [index, change] : model.changedTextures) {
+        if (!isIndex(index, model.gpu->textureOf.size()) ||
+            model.gpu->textureOf[static_cast<std::size_t>(index)] == GpuScene::kNotUploaded)
+            continue; // The source reads another file now.
+        const Result<Image> read =
+            change.source ? guarded("the source of a texture", change.source) : Result<Image>(change.image);
+        if (!read)
+            return read.error();
+        if (Result<void> checked = check(*read); !checked)
+            return checked;
+        if (Result<void> replaced = replaceTexture(model, index, *read); !replaced)
+            return replaced;
+    }
+    return {};
+}
+
+Result<ModelNames> Models::namesOf(ModelId id) const {
+    const Model* const model = find(id);
+    if (model == nullptr)
+        return unknownModel();
+    ModelNames names{.nodes = model->outline.nodes, .materials = {}, .variants = model->outline.scene.variants};
+    for (const Material& material : model->outline.scene.materials)
+        names.materials.push_back(material.name);
+    return names;
+}
+
+} // namespace franken

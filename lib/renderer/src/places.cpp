@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Where models stand.
+#include "checks.h"
+#include "handle.h"
+#include "models.h"
+
+#include <algorithm>
+
+namespace franken {
+
+const Place* Models::find(PlaceId id) const {
+    const auto found = m_places.find(id);
+    return found == m_places.end() ? nullptr : &found->second;
+}
+
+Place& Models::makePlace(Model& model, const glm::dmat4& world) {
+    const auto id = newHandle<PlaceId>();
+    Place& place = m_places.emplace(id, Place{.id = id, .model = &model, .world = world}).first->second;
+    model.places.push_back(&place);
+    ++m_revision;
+    return place;
+}
+
+Result<PlaceId> Models::addPlace(ModelId id, const glm::dmat4& world) {
+    Model* const model = find(id);
+    if (model == nullptr)
+        return unknownModel();
+    if (Result<void> checked = checkTransform(world); !checked)
+        return checked.error();
+    return makePlace(*model, world).id;
+}
+
+Result<PlaceId> Models::firstPlace(ModelId id) const {
+    const Model* const model = find(id);
+    if (model == nullptr)
+        return unknownModel();
+    if (model->places.empty())
+        return unknownPlace();
+    return model->places.front()->id;
+}
+
+void Models::removePlace(PlaceId id) {
+    Place* const place = find(id);
+    if (place == nullptr)
+        return;
+    std::erase(place->model->places, place);
+    m_places.erase(id);
+    ++m_revision;
+}
+
+Result<void> Models::setWorld(PlaceId id, const glm::dmat4& world) {
+    Place* const place = find(id);
+    if (place == nullptr)
+        return unknownPlace();
+    if (Result<void> checked = checkTransform(world); !checked)
+        return checked;
+    if (place->world == world)
+        return {};
+    place->world = world;
+    ++place->movements;
+    ++m_movements;
+    return {};
+}
+
+Result<void> Models::setVisible(PlaceId id, bool visible) {
+    Place* const place = find(id);
+    if (place == nullptr)
+        return unknownPlace();
+    if (place->visible == visible)
+        return {};
+    place->visible = visible;
+    ++m_movements;
+    return {};
+}
+
+} // namespace franken
