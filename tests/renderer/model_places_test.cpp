@@ -252,8 +252,8 @@ TEST_P(PlacesTest, ATurnedSkyIsSeenAsByATurnedCamera) {
     Environment sky = patchedSky();
     const std::optional<Sun> sun = takeSun(sky);
     ASSERT_TRUE(sun && sun->ofSky);
-    const SkyCube cube = encodeSkyCube(sky, 32);
-    static const ReflectionMaps maps{filterSpecular(sky, kMinSpecularSize), specularLookup()}; // Slow.
+    const SkyboxMap cube = encodeSkybox(sky, 32);
+    static const ReflectionMaps maps{filterReflection(sky, kMinReflectionSize), reflectionLookup()}; // Slow.
     SceneBuilder builder;
     Material metal, clay;
     metal.roughness = 0.2f;
