@@ -1,12 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
 // The life of a screen on a real kernel: schedule, plug and unplug, masters, blanking. In virtual time.
+#include "franken/platform/console.h"
 #include "support/guest.h"
 #include "support/other_master.h"
 
+#include <fcntl.h>
+#include <grp.h>
+#include <linux/vt.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <xf86drm.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
 
@@ -130,6 +139,45 @@ TEST_F(Screen, ComesBackAfterItWasGivenAway) {
     showFrame(*surface, scene);
 }
 
+int shownConsole(int console) {
+    vt_stat state = {};
+    EXPECT_EQ(ioctl(console, VT_GETSTATE, &state), 0);
+    return state.v_active;
+}
+
+platform::Console::Event nextEvent(platform::Console& console) {
+    pollfd ready = {console.descriptor(), POLLIN, 0};
+    poll(&ready, 1, 1000);
+    return console.dispatch();
+}
+
+TEST_F(Screen, IsGivenToAnotherConsoleWhenItIsPausedAndTakenBack) {
+    if (!std::filesystem::exists("/dev/vcs1"))
+        GTEST_SKIP()
+            << "the guest's kernel has no virtual consoles: tests/vm/kernel/build.sh makes one that has";
+    const auto console = platform::Console::open("/dev/tty1").value();
+    const auto surface = openSurface(options());
+    ASSERT_TRUE(surface);
+    const VmScene scene(surface->getProcAddress());
+    showFrame(*surface, scene);
+    const int switcher = open("/dev/tty0", O_RDWR | O_NOCTTY | O_CLOEXEC);
+    ASSERT_EQ(ioctl(switcher, VT_ACTIVATE, 2), 0);
+    ASSERT_EQ(nextEvent(*console), platform::Console::Event::Leaving);
+    surface->pause();
+    ASSERT_TRUE(waitFor(*surface, SurfaceState::Paused, 5s)) << surface->status();
+    EXPECT_EQ(shownConsole(switcher), 1) << "it was switched before the screen was given up";
+    ASSERT_TRUE(console->left());
+    ASSERT_EQ(ioctl(switcher, VT_WAITACTIVE, 2), 0);
+    EXPECT_EQ(shownConsole(switcher), 2);
+    { const OtherMaster onThatConsole; }
+    ASSERT_EQ(ioctl(switcher, VT_ACTIVATE, 1), 0);
+    ASSERT_EQ(nextEvent(*console), platform::Console::Event::Returned);
+    surface->resume();
+    EXPECT_EQ(shownConsole(switcher), 1);
+    showFrame(*surface, scene);
+    close(switcher);
+}
+
 TEST_F(Screen, IsBlankedAndWakes) {
     const auto surface = openSurface(options());
     ASSERT_TRUE(surface);
@@ -215,6 +263,23 @@ TEST_F(Screen, NothingGrowsWhileFramesAreDrawn) {
     ASSERT_TRUE(surface);
     const VmScene scene(surface->getProcAddress());
     expectNothingGrows(isSoak() ? 20'000 : 500, 256, [&] { showFrame(*surface, scene); });
+}
+
+TEST_F(Screen, MissingRightsAreToldWithTheGroups) {
+    const std::string said = std::filesystem::temp_directory_path() / "rights";
+    writeFile(said, "");
+    std::filesystem::permissions(said, std::filesystem::perms::all);
+    const pid_t nobody = fork();
+    if (nobody == 0) {
+        constexpr uid_t kNobody = 65534;
+        const bool is = setgroups(0, nullptr) == 0 && setuid(kNobody) == 0;
+        const auto refused = platform::create(platform::Backend::Kms, options());
+        std::ofstream(said) << (is && !refused ? toString(refused.error()) : "it was not refused");
+        _exit(0);
+    }
+    waitpid(nobody, nullptr, 0);
+    EXPECT_NE(readFile(said).find("groups video and render) [screen.permission]"), std::string::npos)
+        << readFile(said);
 }
 
 TEST_F(Screen, SoftwareIsRefusedUnlessItIsAllowed) {
