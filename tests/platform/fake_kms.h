@@ -34,6 +34,8 @@ public:
     int descriptor() const override { return -1; }
     std::string node() const override { return "/dev/dri/card7"; }
     std::string driver() const override { return "fake"; }
+    std::string commandLine;
+    std::string kernelCommandLine() const override { return commandLine; }
     int readResources(KmsResources& out, std::uint32_t) override { return out = resources, 0; }
     int commit(const KmsRequest& request, std::uint32_t flags, std::uint64_t frame) override;
     int readFlips(std::vector<KmsFlip>& out) override;

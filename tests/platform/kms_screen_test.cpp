@@ -337,6 +337,25 @@ TEST_F(KmsScreenTest, TheCrtcIsOneThatIsPossibleAndServesNobodyElse) {
     EXPECT_EQ(device.wasSet(device.resources.connectors[0], "CRTC_ID"), 30u);
 }
 
+TEST_F(KmsScreenTest, TurnsThePictureAsTheKernelsCommandLineSays) {
+    const auto rotation = [&](const char* line, const ScreenOptions& options = {}) {
+        device.commandLine = line;
+        open(options);
+        return toDegrees(screen->layout().rotation);
+    };
+    EXPECT_EQ(rotation("root=/dev/mmcblk0p2 video=HDMI-A-1:1280x720@60,rotate=90 quiet"), 90);
+    EXPECT_EQ(rotation("video=HDMI-A-2:1280x720@60,rotate=90"), 0) << "another connector's";
+    EXPECT_EQ(rotation("video=1280x720,rotate=180"), 180) << "that of all connectors";
+    EXPECT_EQ(rotation("video=HDMI-A-1:1280x720 video=1280x720,rotate=180"), 0) << "its own counts";
+    EXPECT_EQ(rotation("video=HDMI-A-1:1280x720,rotate=45"), 0);
+    EXPECT_EQ(rotation("video=HDMI-A-1:1280x720,rotate=90", {.rotation = Rotation::None}), 0);
+    KmsProperty orientation;
+    orientation.choices = {{"Left Side Up", 2}};
+    orientation.value = 2;
+    device.resources.connectors[0].properties["panel orientation"] = orientation;
+    EXPECT_EQ(rotation("video=HDMI-A-1:720x1280,rotate=270"), 0) << "both count";
+}
+
 TEST_F(KmsScreenTest, CountsAFrameThatCameLate) {
     open();
     screen->present(11, now);

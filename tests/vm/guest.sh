@@ -4,13 +4,13 @@
 # input devices (uinput), runs the command in it, prints what it printed and exits with its code.
 #   -r          in real time. Without it the guest's clock moves only when the guest is idle: waiting takes no time, and each
 #               run sees the same times whatever the machine's load.
-#   -t SECONDS  ends it after so much real time (120)
+#   -t SECONDS  ends it after so much real time (570: just before CTest does)
 #   -m MODE     the screen's mode, as the kernel's video= has it (160x120@60)
 # Exits with 77 where there can be no guest, and says why; with 125 where the guest died. The folder of the host that the
 # guest may write is in GUEST_FOLDER of the command's environment; what is left in it goes to $GUEST_KEEP, if that is set.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-time=time-travel=inf-cpu seconds=120 mode=160x120@60
+time=time-travel=inf-cpu seconds=570 mode=160x120@60
 while getopts rt:m: option; do
   case $option in
   r) time= ;;

@@ -84,6 +84,7 @@ public:
     virtual int descriptor() const = 0; ///< Readable when readFlips() has something.
     virtual std::string node() const = 0;
     virtual std::string driver() const = 0;
+    virtual std::string kernelCommandLine() const = 0;
 
     /// Everything as it is now. The connector with the id `probe` is asked by its wires (slow: tens of
     /// milliseconds with EDID), all if that is ~0; others as the kernel last knew them.

@@ -11,6 +11,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 
 namespace franken::platform {
 
@@ -94,6 +95,11 @@ public:
     int descriptor() const override { return m_device.get(); }
     std::string node() const override { return m_node; }
     std::string driver() const override { return m_driver; }
+    std::string kernelCommandLine() const override {
+        std::string line;
+        std::getline(std::ifstream("/proc/cmdline"), line);
+        return line;
+    }
 
     int readResources(KmsResources& resources, std::uint32_t probe) override;
     int commit(const KmsRequest& request, std::uint32_t flags, std::uint64_t frame) override;

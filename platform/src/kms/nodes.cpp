@@ -130,10 +130,9 @@ Result<std::vector<ScreenInfo>> listScreens(const std::string& devices) {
     std::vector<ScreenInfo> screens;
     for (const Opened& opened : *all)
         for (const KmsConnector& connector : opened.resources.connectors)
-            screens.push_back(
-                {opened.device->node(), opened.device->driver(), connector.name, connector.connection,
-                 preferredMode(connector),
-                 rotationOfOrientation(connector.word("panel orientation")).value_or(Rotation::None)});
+            screens.push_back({opened.device->node(), opened.device->driver(), connector.name,
+                               connector.connection, preferredMode(connector),
+                               mountedRotation(connector, opened.device->kernelCommandLine())});
     std::stable_sort(screens.begin(), screens.end(), [](const ScreenInfo& a, const ScreenInfo& b) {
         const auto order = [](const ScreenInfo& screen) {
             return std::tuple(screen.connection == Connection::Disconnected,

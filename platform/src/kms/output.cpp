@@ -2,6 +2,8 @@
 #include "output.h"
 
 #include <algorithm>
+#include <charconv>
+#include <sstream>
 #include <tuple>
 
 namespace franken::platform {
@@ -30,7 +32,42 @@ bool servesAnother(const KmsResources& resources, const KmsObject& crtc, const K
                        });
 }
 
+/// The degrees in the options of a video= argument, "1280x720@60,rotate=90".
+int rotateOf(std::string_view options) {
+    constexpr std::string_view kRotate = ",rotate=";
+    const std::size_t at = options.find(kRotate);
+    int degrees = 0;
+    if (at != std::string_view::npos)
+        std::from_chars(options.data() + at + kRotate.size(), options.data() + options.size(), degrees);
+    return degrees;
+}
+
+/// Those for the connector, else those for all.
+int commandLineDegrees(std::string_view connector, std::string_view commandLine) {
+    constexpr std::string_view kVideo = "video=";
+    std::istringstream words{std::string(commandLine)};
+    int degrees = 0;
+    for (std::string word; words >> word;) {
+        if (!word.starts_with(kVideo))
+            continue;
+        const std::string value = word.substr(kVideo.size());
+        const std::size_t colon = value.find(':');
+        if (colon == std::string::npos)
+            degrees = rotateOf(value);
+        else if (value.substr(0, colon) == connector)
+            return rotateOf(value);
+    }
+    return degrees;
+}
+
 } // namespace
+
+Rotation mountedRotation(const KmsConnector& connector, std::string_view kernelCommandLine) {
+    const Rotation panel =
+        rotationOfOrientation(connector.word("panel orientation")).value_or(Rotation::None);
+    const int degrees = toDegrees(panel) + commandLineDegrees(connector.name, kernelCommandLine);
+    return rotationOf(degrees % 360).value_or(panel);
+}
 
 int kindRank(std::string_view connector) {
     if (startsWithOne(connector, kBuiltIn))

@@ -137,8 +137,8 @@ void KmsScreen::configure(Nanoseconds now) {
 bool KmsScreen::chooseLayout(const KmsResources& resources, const KmsPipe& pipe, Nanoseconds now) {
     const std::vector<ModeChoice> modes = modeChoices(pipe.connector, m_options, m_maxExtent);
     const std::vector<FormatChoice> formats = formatChoices(pipe.plane, m_options.format);
-    const std::optional<Rotation> mounted = rotationOfOrientation(pipe.connector.word("panel orientation"));
-    const Rotation rotation = m_options.rotation.value_or(mounted.value_or(Rotation::None));
+    const Rotation rotation =
+        m_options.rotation.value_or(mountedRotation(pipe.connector, m_device.kernelCommandLine()));
     for (; m_step < modes.size() * formats.size(); ++m_step) {
         const KmsLayout layout{modes[m_step / formats.size()], formats[m_step % formats.size()], rotation};
         KmsBuffer buffer;

@@ -79,7 +79,8 @@ struct ScreenOptions {
     RgbRange range = RgbRange::Full; ///< Set where the connector has `Broadcast RGB`.
     Margins margins = {};            ///< Set where the connector has them.
 
-    /// Empty: as the kernel says the panel is mounted (`panel orientation`), which is None where it does not.
+    /// Empty: as the kernel says the panel is mounted (`panel orientation`), turned further by the `rotate=`
+    /// of its command line (video=DSI-1:…,rotate=90); None where it says neither.
     std::optional<Rotation> rotation = {};
 
     bool assumeConnected = false;          ///< Take `output` whether or not it says that a screen is there.
