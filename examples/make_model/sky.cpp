@@ -17,8 +17,8 @@ namespace make_model {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kWidth = 1024, kHeight = 512;
-constexpr int kSamples = 4; ///< A texel, along each side.
+constexpr int kWidth = 4096, kHeight = 2048; ///< As many texels in a degree as the README's picture has pixels.
+constexpr int kSamples = 2;                  ///< A texel, along each side.
 
 const glm::dvec3 kSun = glm::normalize(glm::dvec3(-0.86, 0.16, -0.5));
 constexpr glm::dvec3 kZenith(0.06, 0.13, 0.33), kRose(0.50, 0.40, 0.52), kGold(1.65, 0.82, 0.34);
@@ -47,7 +47,8 @@ glm::dvec3 clouds(const glm::dvec3& d, const glm::dvec3& behind) {
 /// Everything above the water.
 glm::dvec3 above(const glm::dvec3& d) {
     const double turn = std::atan2(d.x, -d.z) / (2 * kPi) + 0.5;
-    const double near = 0.012 + 0.05 * cloud({24 * turn, 0.5}, 24, 3);
+    const double trees = 0.005 * noise({900 * turn, 0.5}, 900, 23) + 0.003 * noise({2400 * turn, 0.5}, 2400, 29);
+    const double near = 0.008 + 0.05 * cloud({24 * turn, 0.5}, 24, 3) + trees;
     const double far = 0.02 + 0.075 * cloud({12 * turn, 7.5}, 12, 5);
     const glm::dvec3 sky = air(d);
     if (d.y < near)
@@ -60,7 +61,7 @@ glm::dvec3 above(const glm::dvec3& d) {
 /// The lake, a metre below: what is above in its ripples, by Fresnel's share, and the dark under them.
 glm::dvec3 water(const glm::dvec3& d) {
     const glm::dvec2 place = glm::dvec2(d.x, d.z) / -d.y;
-    const double calm = 0.09 / (1 + 0.05 * glm::length(place));
+    const double calm = 0.09 / (1 + 0.15 * glm::length(place));
     const double tiltX = cloud(glm::dvec2(3, 5) * place + 300.0, 1024, 11) - 0.5;
     const double tiltZ = cloud(glm::dvec2(3, 5) * place + 700.0, 2048, 13) - 0.5;
     const glm::dvec3 normal = glm::normalize(glm::dvec3(calm * tiltX, 1, 2 * calm * tiltZ));

@@ -5,7 +5,11 @@
 #include "franken/exposure.h"
 #include "franken/file.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
 
 using namespace franken;
 
@@ -14,6 +18,9 @@ namespace {
 // A map has no more texels than vertices can show: 64 MiB of RGBA at the most.
 constexpr std::size_t kMaxHeightMapBytes = std::size_t{64} << 20U;
 constexpr int kMaxHeightMapSize = 4096;
+
+// Texels to a pixel, below which a linear filter's blur is seen.
+constexpr double kSharpSkybox = 0.75;
 
 std::string camerasOf(const Scene& scene) {
     std::string list;
@@ -90,4 +97,22 @@ Result<Lighting> chooseLighting(const Scene& scene, const BakedSky* sky, const O
     lighting.exposure =
         options.autoExposure ? autoExposure(lighting, scene.bounds()) : options.exposure.value_or(1.0f);
     return lighting;
+}
+
+std::string skyboxNotice(const SkyboxMap& skybox, const Camera& camera, const platform::Size& size) {
+    if (skybox.size == 0 || camera.projection == Camera::Projection::Orthographic)
+        return {};
+    // A face spans two tangents of 45 degrees, and the picture two of half its angle.
+    const double needed = static_cast<double>(size.height) / std::tan(0.5 * static_cast<double>(camera.yfov));
+    const double texels = skybox.size / needed;
+    const int face = static_cast<int>(std::ceil(needed)), most = kMaxSkyWidth / 4;
+    if (texels >= kSharpSkybox || skybox.size >= most)
+        return {};
+    std::array<char, 256> text{};
+    std::snprintf(text.data(), text.size(),
+                  "the skybox is magnified: it has %.2f texels to a pixel of the picture; a sky of %d x %d texels, "
+                  "baked with --skybox-size %d, would be %s",
+                  texels, 4 * std::min(face, most), 2 * std::min(face, most), std::min(face, most),
+                  face <= most ? "sharp" : "the sharpest");
+    return text.data();
 }

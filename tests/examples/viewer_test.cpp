@@ -4,6 +4,9 @@
 #include "franken/manifest.h"
 #include "viewer_run.h"
 
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <fstream>
 
 namespace franken::test {
@@ -168,6 +171,25 @@ TEST_F(Viewer, LoadingTakesNoMoreMemoryThanItMay) {
     EXPECT_EQ(sky.code, 3);
     EXPECT_NE(sky.err.find("[sky.limit]"), std::string::npos) << sky.err;
     EXPECT_NE(sky.err.find("raise --memory"), std::string::npos) << sky.err;
+}
+
+// A narrow picture is as sharp as a wide one, and quicker drawn.
+TEST_F(Viewer, SaysWhenTheSkyboxIsMagnified) {
+    writeSky(m_folder / "flat.hdr");
+    const Outcome small = run(std::string(kUrn) + " --skybox flat.hdr --size 8x60");
+    EXPECT_EQ(small.code, 0) << small.err;
+    EXPECT_EQ(small.err.find("magnified"), std::string::npos) << small.err;
+
+    const Outcome large = run(std::string(kUrn) + " --skybox flat.hdr --size 8x400");
+    EXPECT_EQ(large.code, 0) << large.err;
+    const auto scene = loadGltf(kUrn);
+    ASSERT_TRUE(scene);
+    const double needed = 400 / std::tan(0.5 * static_cast<double>(scene->cameras.at(0).yfov));
+    std::array<char, 32> texels{};
+    std::snprintf(texels.data(), texels.size(), "%.2f texels", 512 / needed);
+    const std::string size = std::to_string(static_cast<int>(std::ceil(needed)));
+    EXPECT_NE(large.err.find(texels.data()), std::string::npos) << large.err;
+    EXPECT_NE(large.err.find("--skybox-size " + size), std::string::npos) << large.err;
 }
 
 // The least that the viewer takes is the least that the library takes: --memory is in MiB, and no more.
