@@ -85,7 +85,8 @@ std::optional<Failure> Session::readSubject(Subject& subject) {
         return Failure{camera.error(), ExitCode::Usage};
     subject.camera = *camera;
     if (subject.sky)
-        if (const std::string notice = skyboxNotice(subject.sky->skybox, *camera, m_options.size); !notice.empty())
+        if (const std::string notice = skyboxNotice(subject.sky->skybox, *camera, m_options.size);
+            !notice.empty())
             m_log(LogLevel::Warning, notice);
     Result<Lighting> lighting = chooseLighting(subject.scene, subject.sky.get(), m_options, m_log);
     if (!lighting)

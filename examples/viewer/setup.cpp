@@ -109,10 +109,11 @@ std::string skyboxNotice(const SkyboxMap& skybox, const Camera& camera, const pl
     if (texels >= kSharpSkybox || skybox.size >= most)
         return {};
     std::array<char, 256> text{};
-    std::snprintf(text.data(), text.size(),
-                  "the skybox is magnified: it has %.2f texels to a pixel of the picture; a sky of %d x %d texels, "
-                  "baked with --skybox-size %d, would be %s",
-                  texels, 4 * std::min(face, most), 2 * std::min(face, most), std::min(face, most),
-                  face <= most ? "sharp" : "the sharpest");
+    std::snprintf(
+        text.data(), text.size(),
+        "the skybox is magnified: it has %.2f texels to a pixel of the picture; a sky of %d x %d texels, "
+        "baked with --skybox-size %d, would be %s",
+        texels, 4 * std::min(face, most), 2 * std::min(face, most), std::min(face, most),
+        face <= most ? "sharp" : "the sharpest");
     return text.data();
 }

@@ -22,7 +22,8 @@ franken::Result<void> applyHeights(franken::Scene& scene, const Options& options
 franken::Result<franken::Lighting> chooseLighting(const franken::Scene& scene, const franken::BakedSky* sky,
                                                   const Options& options, const franken::Log& log);
 
-/// What to say of a skybox whose texels are larger than the picture's pixels, in the middle of a face, where they
-/// are largest: how many there are to a pixel, and what size would do. Empty where there is nothing to say.
+/// What to say of a skybox whose texels are larger than the picture's pixels, in the middle of a face, where
+/// they are largest: how many there are to a pixel, and what size would do. Empty where there is nothing to
+/// say.
 std::string skyboxNotice(const franken::SkyboxMap& skybox, const franken::Camera& camera,
                          const franken::platform::Size& size);

@@ -14,8 +14,8 @@
 namespace franken {
 namespace {
 
-using test::ExrFile;
 using test::exrBytes;
+using test::ExrFile;
 using test::int32;
 
 constexpr std::size_t kRoom = std::size_t{64} << 20;
@@ -52,7 +52,8 @@ class Compressed : public testing::TestWithParam<int> {};
 
 TEST_P(Compressed, HalvesAndFloatsAreExact) {
     for (const bool half : {true, false}) {
-        const auto image = decodeExr(bytesOf(exrBytes({.compression = GetParam(), .half = half})), 8192, kRoom);
+        const auto image =
+            decodeExr(bytesOf(exrBytes({.compression = GetParam(), .half = half})), 8192, kRoom);
         ASSERT_TRUE(image) << toString(image.error());
         ASSERT_EQ(image->width, 62);
         ASSERT_EQ(image->height, 31);
@@ -118,14 +119,16 @@ TEST(Exr, WindowsHaveTheirPlaces) {
         const auto alone = decodeExr(bytesOf(moved), 8192, kRoom);
         ASSERT_TRUE(alone) << toString(alone.error());
         expectTexels(*alone);
-        const auto both = decodeExr(
-            bytesOf(test::withAttribute(moved, "displayWindow", int32(-5) + int32(40) + int32(56) + int32(70))),
-            8192, kRoom);
+        const auto both =
+            decodeExr(bytesOf(test::withAttribute(moved, "displayWindow",
+                                                  int32(-5) + int32(40) + int32(56) + int32(70))),
+                      8192, kRoom);
         ASSERT_TRUE(both) << toString(both.error());
         expectTexels(*both);
-        const auto larger = decodeExr(
-            bytesOf(test::withAttribute(moved, "displayWindow", int32(-7) + int32(39) + int32(60) + int32(80))),
-            8192, kRoom);
+        const auto larger =
+            decodeExr(bytesOf(test::withAttribute(moved, "displayWindow",
+                                                  int32(-7) + int32(39) + int32(60) + int32(80))),
+                      8192, kRoom);
         ASSERT_TRUE(larger) << toString(larger.error());
         EXPECT_EQ(larger->width, 68);
         EXPECT_EQ(larger->texels[0], glm::vec3(0));
@@ -157,7 +160,8 @@ TEST(Exr, WhatIsNotReadIsRefusedByName) {
     EXPECT_NE(version(0x08).find("deep"), std::string::npos);
     EXPECT_NE(version(0x10).find("several parts"), std::string::npos);
     EXPECT_NE(version(0x02).find("tiles"), std::string::npos);
-    for (const auto& [code, name] : {std::pair{5, "PXR24"}, {6, "B44"}, {7, "B44A"}, {8, "DWAA"}, {9, "DWAB"}})
+    for (const auto& [code, name] :
+         {std::pair{5, "PXR24"}, {6, "B44"}, {7, "B44A"}, {8, "DWAA"}, {9, "DWAB"}})
         EXPECT_NE(errorOf(test::withAttribute(sound, "compression", std::string(1, static_cast<char>(code))))
                       .find(std::string(" ") + name + ","),
                   std::string::npos)

@@ -29,7 +29,9 @@ void put(std::string& bytes, std::uint32_t value, int count) {
 void put(std::string& bytes, float value) { put(bytes, std::bit_cast<std::uint32_t>(value), 4); }
 
 /// Of a channel of a texel: each face has a colour, each channel another share of it, and levels differ.
-float valueOf(int level, int face, int channel) { return static_cast<float>(100 * level + 10 * face + channel); }
+float valueOf(int level, int face, int channel) {
+    return static_cast<float>(100 * level + 10 * face + channel);
+}
 
 std::string headerBytes(const HdreFile& file) {
     std::string bytes = "HDRE";
@@ -71,8 +73,9 @@ std::string errorOf(const HdreFile& claims) {
 }
 
 TEST(Hdre, EachVersionHasItsDirections) {
-    for (const HdreFile& file : {HdreFile{.version = 1.5f, .headerBytes = 128}, HdreFile{.version = 1.5f, .headerBytes = 164},
-                                 HdreFile{.version = 2}, HdreFile{.version = 2.5f, .channels = 4}, HdreFile{}}) {
+    for (const HdreFile& file :
+         {HdreFile{.version = 1.5f, .headerBytes = 128}, HdreFile{.version = 1.5f, .headerBytes = 164},
+          HdreFile{.version = 2}, HdreFile{.version = 2.5f, .channels = 4}, HdreFile{}}) {
         const auto sky = decode(hdreBytes(file));
         ASSERT_TRUE(sky) << file.version << ": " << toString(sky.error());
         ASSERT_EQ(sky->layout, Environment::Layout::Cube);

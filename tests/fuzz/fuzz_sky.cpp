@@ -21,7 +21,8 @@ void checkTexels(const std::vector<glm::vec3>& texels) {
             require(texel[i] >= 0 && texel[i] <= 1e9f, "radiances in range");
 }
 
-template <typename Picture> void check(const Result<Picture>& image) {
+template<typename Picture>
+void check(const Result<Picture>& image) {
     if (!image) {
         require(!image.error().code.empty() && !image.error().what.empty(), "an error says what");
         return;

@@ -43,8 +43,9 @@ void writeFloatSkies(const fs::path& folder) {
 #ifdef FRANKEN_TINYEXR
     for (int compression = 0; compression < 5; ++compression)
         for (const int tile : {0, 4})
-            write(folder, "exr" + std::to_string(compression) + "-" + std::to_string(tile),
-                  franken::test::exrBytes({.width = 8, .height = 4, .compression = compression, .tile = tile}));
+            write(
+                folder, "exr" + std::to_string(compression) + "-" + std::to_string(tile),
+                franken::test::exrBytes({.width = 8, .height = 4, .compression = compression, .tile = tile}));
 #endif
 }
 

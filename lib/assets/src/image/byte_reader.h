@@ -15,9 +15,11 @@ class ByteReader {
 public:
     explicit ByteReader(std::span<const std::uint8_t> bytes, std::size_t at = 0) : m_bytes(bytes), m_at(at) {}
 
-    template <typename Number> Number number() {
-        using Bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t,
-                                        std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint16_t>>;
+    template<typename Number>
+    Number number() {
+        using Bits =
+            std::conditional_t<sizeof(Number) == 8, std::uint64_t,
+                               std::conditional_t<sizeof(Number) == 4, std::uint32_t, std::uint16_t>>;
         static_assert(sizeof(Number) == sizeof(Bits));
         Bits bits = 0;
         const auto bytes = take(sizeof(Number));

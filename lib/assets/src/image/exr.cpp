@@ -37,8 +37,8 @@ public:
                     ParseEXRHeaderFromMemory(&header, &version, file.data(), file.size(), &message) ==
                         TINYEXR_SUCCESS;
         if (read) {
-            // Where it fails, tinyexr 1.0.1 frees its arrays by these counts, which it has not set by then, and
-            // leaves the pointers behind.
+            // Where it fails, tinyexr 1.0.1 frees its arrays by these counts, which it has not set by then,
+            // and leaves the pointers behind.
             image.num_channels = header.num_channels;
             image.num_tiles = header.tiled != 0 ? chunks : 0;
             read = LoadEXRImageFromMemory(&image, &header, file.data(), file.size(), &message) ==
@@ -81,8 +81,10 @@ struct Block {
 class Assembly {
 public:
     Assembly(const ExrHeader& header, const std::array<std::size_t, 3>& colors)
-        : m_header(header), m_colors(colors),
-          m_frame(header.data.width() == header.display.width() && header.data.height() == header.display.height()
+        : m_header(header),
+          m_colors(colors),
+          m_frame(header.data.width() == header.display.width() &&
+                          header.data.height() == header.display.height()
                       ? header.data
                       : header.display) {
         image.width = m_frame.width();
@@ -96,8 +98,9 @@ public:
         const int top = m_header.data.top - m_frame.top + block.top;
         for (int y = std::max(0, -top); y < std::min(block.height, image.height - top); ++y)
             for (int x = std::max(0, -left); x < std::min(block.width, image.width - left); ++x) {
-                const glm::vec3 texel = texelOf(block, static_cast<std::size_t>(y) * static_cast<std::size_t>(block.stride) +
-                                                           static_cast<std::size_t>(x));
+                const glm::vec3 texel =
+                    texelOf(block, static_cast<std::size_t>(y) * static_cast<std::size_t>(block.stride) +
+                                       static_cast<std::size_t>(x));
                 if (!isFinite(texel))
                     return false;
                 image.texels[static_cast<std::size_t>(top + y) * static_cast<std::size_t>(image.width) +
@@ -173,7 +176,8 @@ Result<FloatImage> decodeExr(std::span<const std::uint8_t> file, int maxSize, st
     std::vector<std::uint8_t> padded(file.size() + kPadding);
     std::copy(file.begin(), file.end(), padded.begin());
     Decoded decoded;
-    if (!decoded.read(std::span(padded).first(file.size()), static_cast<int>(header->chunks())) || !agree(decoded, *header))
+    if (!decoded.read(std::span(padded).first(file.size()), static_cast<int>(header->chunks())) ||
+        !agree(decoded, *header))
         return exrFormatError("its texels cannot be unpacked");
     padded = {};
     Assembly assembly(*header, *colors);

@@ -22,7 +22,7 @@ constexpr std::uint32_t kTiled = 0x200, kLongNames = 0x400, kDeep = 0x800, kPart
 constexpr std::size_t kMaxName = 255;
 constexpr std::size_t kMaxAttributes = 128; ///< tinyexr keeps no more.
 constexpr int kMaxCoordinate = 1000000;
-constexpr std::array<std::string_view, 10> kCompressions{"none", "RLE", "ZIPS", "ZIP", "PIZ",
+constexpr std::array<std::string_view, 10> kCompressions{"none",  "RLE", "ZIPS", "ZIP",  "PIZ",
                                                          "PXR24", "B44", "B44A", "DWAA", "DWAB"};
 
 struct Attribute {
@@ -186,16 +186,20 @@ bool isSoundCode(Compression compression, std::span<const std::uint8_t> code, st
     if (code.size() > bytes || code.size() < 3)
         return false;
     switch (compression) {
-    case Compression::None: return false;
-    case Compression::Rle: return unpacksTo(code, bytes);
-    case Compression::Piz: return isPiz(code);
-    default: return bytes / 1032 <= code.size(); // Deflate packs no more into a byte.
+    case Compression::None:
+        return false;
+    case Compression::Rle:
+        return unpacksTo(code, bytes);
+    case Compression::Piz:
+        return isPiz(code);
+    default:
+        return bytes / 1032 <= code.size(); // Deflate packs no more into a byte.
     }
 }
 
 /// The index in the grid of the chunk at that place in the file; nothing if it is broken.
-std::optional<std::size_t> readChunk(std::span<const std::uint8_t> file, std::size_t at, const ExrHeader& header,
-                                     const Grid& grid) {
+std::optional<std::size_t> readChunk(std::span<const std::uint8_t> file, std::size_t at,
+                                     const ExrHeader& header, const Grid& grid) {
     ByteReader reader(file, at);
     int column = 0, row = 0;
     if (grid.tiled) {
@@ -282,8 +286,8 @@ std::size_t ExrHeader::chunks() const { return gridOf(*this).count(); }
 
 std::size_t ExrHeader::decodedBytes() const {
     const Grid grid = gridOf(*this);
-    const std::size_t texels = grid.count() * static_cast<std::size_t>(grid.chunkWidth) *
-                               static_cast<std::size_t>(grid.chunkHeight);
+    const std::size_t texels =
+        grid.count() * static_cast<std::size_t>(grid.chunkWidth) * static_cast<std::size_t>(grid.chunkHeight);
     std::size_t bytes = 0;
     for (const Channel& channel : channels)
         bytes += texels * static_cast<std::size_t>(channel.bytes);

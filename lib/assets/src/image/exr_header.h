@@ -26,7 +26,7 @@ struct ExrHeader {
     enum class Compression { None = 0, Rle = 1, ZipLine = 2, Zip = 3, Piz = 4 };
     struct Channel {
         std::string name;
-        int bytes = 0;     ///< A texel: 2 (half) or 4 (float, or a whole number).
+        int bytes = 0;      ///< A texel: 2 (half) or 4 (float, or a whole number).
         bool whole = false; ///< A whole number, such as an object's.
     };
 
@@ -45,8 +45,8 @@ struct ExrHeader {
 
 /// Reads and checks all that a decoder would believe: one part, of lines or of tiles of one level; at most
 /// kMaxExrChannels channels, none subsampled; attributes that occur once and end in the file; compression by
-/// none, RLE, ZIP or PIZ; a picture and stored texels of at most `maxSize`; and each chunk's place, length and
-/// coordinates. Fails with "exr.format" or "exr.size". Safe on any bytes.
+/// none, RLE, ZIP or PIZ; a picture and stored texels of at most `maxSize`; and each chunk's place, length
+/// and coordinates. Fails with "exr.format" or "exr.size". Safe on any bytes.
 Result<ExrHeader> readExrHeader(std::span<const std::uint8_t> file, int maxSize);
 
 inline constexpr std::size_t kMaxExrChannels = 16;

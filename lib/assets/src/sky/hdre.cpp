@@ -92,7 +92,8 @@ Result<Environment> decodeHdre(std::span<const std::uint8_t> file, int maxFace, 
     if (file.size() < bytes)
         return formatError("the file is cut off: its six levels need " + std::to_string(bytes) +
                            " bytes, and it has " + std::to_string(file.size()));
-    const std::size_t count = kFaces * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.width);
+    const std::size_t count =
+        kFaces * static_cast<std::size_t>(header.width) * static_cast<std::size_t>(header.width);
     if (count * sizeof(glm::vec3) > maxBytes)
         return memoryError("");
 
