@@ -12,11 +12,11 @@ namespace franken::cli {
 namespace {
 
 void checkBudget(const Program& program, const Profile& profile, std::vector<Finding>& findings) {
-    for (const Burst& burst : budgetFor(program, profile).bursts)
+    for (const Excess& excess : budgetFor(program, profile).excesses)
         findings.push_back({program.name, "budget", std::string(profile.name),
-                            std::string(toText(burst.use.resource)) + ": " + std::to_string(burst.use.used) +
-                                " of " + std::to_string(burst.use.limit),
-                            adviceFor(burst)});
+                            std::string(toText(excess.use.resource)) + ": " + std::to_string(excess.use.used) +
+                                " of " + std::to_string(excess.use.limit),
+                            adviceFor(excess)});
 }
 
 void checkUnits(const Program& program, const Profile& profile, std::vector<Finding>& findings) {

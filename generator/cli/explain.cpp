@@ -42,12 +42,12 @@ void writeBudgets(Console& console, const std::vector<ProfileBudget>& budgets) {
         for (const Use& use : each.budget.uses) {
             const std::string text = std::to_string(use.used) + " of " + std::to_string(use.limit);
             const bool last = &use == &each.budget.uses.back();
-            console.write(console.paint(use.bursts() ? Style::Red : Style::Plain,
-                                        left(text + (use.bursts() ? " !" : ""), last ? 0 : kWidth)));
+            console.write(console.paint(use.exceeded() ? Style::Red : Style::Plain,
+                                        left(text + (use.exceeded() ? " !" : ""), last ? 0 : kWidth)));
         }
         console.write("\n");
-        for (const Burst& burst : each.bursts)
-            console.write("  ! " + std::string(toText(burst.use.resource)) + ": " + adviceFor(burst) + "\n");
+        for (const Excess& excess : each.excesses)
+            console.write("  ! " + std::string(toText(excess.use.resource)) + ": " + adviceFor(excess) + "\n");
     }
 }
 

@@ -23,14 +23,14 @@ std::vector<ExplainedLine> explainStage(const ComposedStage& stage, const std::v
 ProfileBudget budgetFor(const Program& program, const Profile& profile) {
     ProfileBudget result{profile, budget(program.composed.interface, profile), {}};
     for (const Use& use : result.budget.uses)
-        if (use.bursts())
-            result.bursts.push_back({use, costlyFeatures(program.permutation, use.resource)});
+        if (use.exceeded())
+            result.excesses.push_back({use, costlyFeatures(program.permutation, use.resource)});
     return result;
 }
 
-std::string adviceFor(const Burst& burst) {
+std::string adviceFor(const Excess& excess) {
     std::string advice;
-    for (const Feature& feature : burst.features)
+    for (const Feature& feature : excess.features)
         advice += advice.empty() ? "without '" + feature.word + "' it takes " + std::to_string(feature.used)
                                  : ", without '" + feature.word + "' " + std::to_string(feature.used);
     return advice;

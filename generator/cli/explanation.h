@@ -14,8 +14,8 @@ struct ExplainedLine {
     const Reason* reason; ///< Null for a line that no snippet wrote.
 };
 
-/// A resource of one profile that bursts, and what could be given up.
-struct Burst {
+/// A resource that exceeds a profile, and the choices that could be given up.
+struct Excess {
     Use use;
     std::vector<Feature> features;
 };
@@ -23,13 +23,13 @@ struct Burst {
 struct ProfileBudget {
     Profile profile;
     Budget budget;
-    std::vector<Burst> bursts;
+    std::vector<Excess> excesses;
 };
 
 ProfileBudget budgetFor(const Program& program, const Profile& profile);
 
 /// "without 'normal' it takes 6, without 'vertexcolor' 7": what could be given up, the most relieving first.
-std::string adviceFor(const Burst& burst);
+std::string adviceFor(const Excess& excess);
 
 /// All that `frankenshader explain` tells.
 struct Explanation {

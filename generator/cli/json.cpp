@@ -86,9 +86,9 @@ Json toJson(const ProfileBudget& each) {
     Json json = {{"profile", each.profile.name}, {"fits", each.budget.fits()}};
     for (const Use& use : each.budget.uses)
         json[std::string(toText(use.resource))] = {{"used", use.used}, {"limit", use.limit}};
-    for (const Burst& burst : each.bursts)
-        for (const Feature& feature : burst.features)
-            json[std::string(toText(burst.use.resource))]["without"][feature.word] = feature.used;
+    for (const Excess& excess : each.excesses)
+        for (const Feature& feature : excess.features)
+            json[std::string(toText(excess.use.resource))]["without"][feature.word] = feature.used;
     return json;
 }
 

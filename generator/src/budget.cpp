@@ -164,7 +164,7 @@ constexpr int kMostLights = 2 * Permutation::kMaxLights;
 
 // How many lights a compiler that cannot spill has registers for, beside what the program holds over all of
 // them: texels, a lobe whose roughness is the pixel's, the vertex colour, and the cones' axes. Fitted to
-// Mesa's compiler for vc4: of 590 programs with five to eight lights it gives up on 40, which all burst this,
+// Mesa's compiler for vc4: of 590 programs with five to eight lights it gives up on 40, which all exceed this limit,
 // as do a third of the others; with up to four lights all have their registers (tests/qpu).
 int lightsBeside(const Interface& interface) {
     const auto hasUniform = [&](std::string_view name) {
@@ -206,7 +206,7 @@ Result<Profile> findProfile(std::string_view name) {
 
 bool Budget::fits() const {
     return rolesBeyond.empty() &&
-           std::none_of(uses.begin(), uses.end(), [](const Use& use) { return use.bursts(); });
+           std::none_of(uses.begin(), uses.end(), [](const Use& use) { return use.exceeded(); });
 }
 
 Budget budget(const Interface& interface, const Profile& profile) {

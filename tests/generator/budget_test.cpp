@@ -79,7 +79,7 @@ TEST(Budget, NamesTheRolesThatHaveNoUnit) {
     const Budget least = budget(interface, profile("es2-minimum"));
     EXPECT_EQ(least.rolesBeyond, (std::vector<std::string_view>{"occlusion", "emissive"}));
     EXPECT_FALSE(least.fits());
-    EXPECT_FALSE(least[Resource::Samplers].bursts()) << "three of eight";
+    EXPECT_FALSE(least[Resource::Samplers].exceeded()) << "three of eight";
     EXPECT_TRUE(budget(interface, profile("vc4")).fits());
 }
 
@@ -127,7 +127,7 @@ TEST(Budget, TheCoveringSetFitsThePisButForManyLightsOnVc4) {
             continue; // Both have 32 bits.
         const Budget vc4 = budget(compose(permutation).interface, profile("vc4"));
         const int lights = permutation.suns + permutation.punctualLights;
-        EXPECT_TRUE(vc4.fits() || (lights > 4 && vc4[Resource::Lights].bursts())) << toName(permutation);
+        EXPECT_TRUE(vc4.fits() || (lights > 4 && vc4[Resource::Lights].exceeded())) << toName(permutation);
         EXPECT_TRUE(budget(compose(permutation).interface, profile("v3d")).fits()) << toName(permutation);
     }
 }
@@ -158,13 +158,13 @@ TEST(Budget, OnVc4MoreLightsFitWhereLittleElseIsHeld) {
 
 TEST(Budget, NamesWhatToGiveUp) {
     const Permutation permutation = named("basecolor+sh+sun4+punctual4+spots");
-    const Budget burst = budget(compose(permutation).interface, profile("es2-minimum"));
-    ASSERT_TRUE(burst[Resource::FragmentUniforms].bursts());
+    const Budget least = budget(compose(permutation).interface, profile("es2-minimum"));
+    ASSERT_TRUE(least[Resource::FragmentUniforms].exceeded());
     const std::vector<Feature> features = costlyFeatures(permutation, Resource::FragmentUniforms);
     std::set<std::string> words;
     for (const Feature& feature : features) {
         words.insert(feature.word);
-        EXPECT_LT(feature.used, burst[Resource::FragmentUniforms].used) << feature.word;
+        EXPECT_LT(feature.used, least[Resource::FragmentUniforms].used) << feature.word;
     }
     EXPECT_TRUE(words.count("sh") && words.count("sun4") && words.count("spots"));
     EXPECT_FALSE(words.count("punctual4")) << "spots need punctual lights";

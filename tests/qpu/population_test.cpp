@@ -53,7 +53,7 @@ TEST_P(QpuPopulation, CompilesWhereTheBudgetLetsItThrough) {
     const std::string path = FRANKEN_BINARY_DIR "/qpu_" + name + "_slow.tsv";
     std::ofstream list(path);
     list << "instructions\tthreads\tspills\tname\n";
-    std::size_t slow = 0, bursting = 0, refused = 0, manyLights = 0;
+    std::size_t slow = 0, exceeding = 0, refused = 0, manyLights = 0;
     for (std::size_t i = 0; i < programs.size(); ++i) {
         const cli::Cost& cost = (*costs)[i];
         const Composed program = compose(programs[i]);
@@ -62,7 +62,7 @@ TEST_P(QpuPopulation, CompilesWhereTheBudgetLetsItThrough) {
             refused += budget(program.interface, *profile).fits() ? 0 : 1;
         }
         if (!cost.measured()) {
-            ++bursting;
+            ++exceeding;
             EXPECT_FALSE(budget(program.interface, *profile).fits())
                 << toName(programs[i]) << ": " << cost.error;
             continue;
@@ -78,7 +78,7 @@ TEST_P(QpuPopulation, CompilesWhereTheBudgetLetsItThrough) {
     std::cout << name << ": the budget refuses " << refused << " of " << manyLights
               << " programs with more than four lights that compile\n";
     std::cout << name << ": of " << programs.size() << " programs " << slow << " run with 1 thread or spill ("
-              << path << "), and " << bursting << " burst the budget\n";
+              << path << "), and " << exceeding << " exceed the budget\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Gpu, QpuPopulation, testing::Values("vc4", "v3d42"),

@@ -10,13 +10,13 @@ namespace FRANKEN_API franken {
 
 /// One value that a choice can take.
 struct Option {
-    std::string_view word;    ///< As it stands in a name; unique over all choices.
+    std::string_view word;    ///< Its word in a name; unique over all choices.
     std::string_view meaning; ///< For --help and documentation.
 };
 
 /// One row of the table that names, packs, parses, lists and flips the choices of a permutation.
 struct Choice {
-    std::string_view name;           ///< As the member of Permutation is called.
+    std::string_view name;           ///< That of the member of Permutation.
     bool material;                   ///< Joined by '.' in a name; others by '+'.
     unsigned shift, bits;            ///< Its place in the key, from 0 to 127; never over both words.
     std::span<const Option> options; ///< The first is the default.
@@ -40,7 +40,7 @@ constexpr Key keyBits(std::uint64_t value, unsigned shift) {
     return key;
 }
 
-/// The value of so many bits of a key.
+/// The value of `bits` bits of a key.
 constexpr std::uint64_t valueOf(const Key& key, unsigned shift, unsigned bits) {
     return key.words[shift / 64] >> shift % 64 & ((std::uint64_t{1} << bits) - 1);
 }
@@ -48,8 +48,8 @@ constexpr std::uint64_t valueOf(const Key& key, unsigned shift, unsigned bits) {
 /// All choices, in the order of names and of the table in the README.
 std::span<const Choice> choices();
 
-/// What is put by, so that these features will change no key. Further values of a choice that is there
-/// already need no bits of their own: its field has room for them.
+/// Bits that are reserved, so that these features will change no existing key. New values of an existing
+/// choice need no bits of their own: its field has room for them.
 std::span<const ReservedBits> reservedBits();
 
 } // namespace franken

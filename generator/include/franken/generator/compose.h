@@ -18,11 +18,11 @@ struct LineOrigin {
     int line;                 ///< In generator/glsl/<snippet>.glsl, from 1.
 };
 
-/// Where the snippets are that a build has in it, in FrankenShader's sources.
+/// The folder of the built-in snippets in FrankenShader's sources.
 inline constexpr std::string_view kSnippetFolder = "generator/glsl";
 
-/// "generator/glsl/fragment/brdf/ggx.glsl:12"; empty for a line that the composer wrote itself. Snippets of a
-/// SnippetSet of one's own are in `folder`.
+/// "generator/glsl/fragment/brdf/ggx.glsl:12"; empty for a line that the composer wrote itself. `folder` is
+/// where the snippets of the SnippetSet came from.
 std::string toString(const LineOrigin& origin, std::string_view folder = kSnippetFolder);
 
 /// One shader, ready for glShaderSource, and the origin of each of its lines. Drivers misreport #line, so
@@ -30,7 +30,7 @@ std::string toString(const LineOrigin& origin, std::string_view folder = kSnippe
 struct ComposedStage {
     std::string text;
     std::vector<LineOrigin> lines;      ///< lines[0] is line 1.
-    std::string folder{kSnippetFolder}; ///< Where the snippets came from, as errors name it.
+    std::string folder{kSnippetFolder}; ///< Of the snippets; errors name it.
 };
 
 struct Composed {
@@ -43,9 +43,8 @@ struct Composed {
 /// bytes on every machine, from any thread.
 Composed compose(const Permutation& permutation, const SnippetSet& snippets = SnippetSet::builtIn());
 
-/// Brings "<file>:<line>" information into a driver's log: each line number that the driver names gets the
-/// snippet's file and line appended. Knows the forms "0:12(5): ..." (Mesa) and "ERROR: 0:12: ..." (ANGLE,
-/// glslang).
+/// Adds snippets' files and lines to a driver's log: appends "<file>:<line>" to each line number that the
+/// driver names. Knows the forms "0:12(5): ..." (Mesa) and "ERROR: 0:12: ..." (ANGLE, glslang).
 std::string annotateLog(std::string_view log, const ComposedStage& stage);
 
 } // namespace franken

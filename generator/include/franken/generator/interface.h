@@ -16,10 +16,10 @@ enum class Type : std::uint8_t { Float, Vec2, Vec3, Vec4, Mat3, Mat4, Sampler2D,
 /// "vec3"
 std::string_view toGlsl(Type type);
 
-/// Floats in a value of that type: 9 for a mat3. 0 for samplers.
+/// The number of floats in a value of that type: 9 for a mat3, 0 for samplers.
 int componentCount(Type type);
 
-/// How often a uniform changes, and so who uploads it.
+/// How often a uniform changes, and therefore when it is uploaded.
 enum class Block : std::uint8_t {
     Frame,    ///< With the camera and the target.
     Lights,   ///< With suns, punctual lights, ambient light or exposure.
@@ -43,7 +43,7 @@ struct Varying {
 struct Uniform {
     std::string name;
     Type type;
-    int count; ///< Array length; 1 for what is no array.
+    int count; ///< Array length; 1 if it is no array.
     Block block;
     bool vertex, fragment; ///< The stages that declare it.
 };
@@ -55,7 +55,7 @@ struct Sampler {
     Block block;
 };
 
-/// Everything that a program takes. The runtime is fed from it, so text and runtime cannot drift.
+/// All inputs of a program. The runtime reads them from here, so that it cannot disagree with the text.
 struct Interface {
     std::vector<Attribute> attributes;
     std::vector<Varying> varyings;
@@ -68,7 +68,7 @@ struct Interface {
 /// -1 for a name that is no attribute.
 int attributeLocation(std::string_view name);
 
-/// The texture unit of a sampler, as the roles have it (texture_role.h). -1 for a name that is no sampler.
+/// The texture unit of a sampler, from the table of roles (texture_role.h). -1 for a name that is no sampler.
 int samplerUnit(std::string_view name);
 
 } // namespace franken

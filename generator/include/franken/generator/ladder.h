@@ -9,8 +9,8 @@
 namespace FRANKEN_API franken {
 
 /// The next rung of the ladder (fallback chain): a simpler program that draws the same object, for a driver
-/// that refuses this one. None below the last rung. Takes and returns canonical permutations; the ladder of a
-/// permutation is the same on every machine, and has at most nine rungs below it.
+/// that refuses this one. Nothing after the last rung. Takes and returns canonical permutations; the ladder
+/// of a permutation is the same on every machine, and has at most nine rungs.
 ///
 /// Each rung drops one feature; later rungs are more visible:
 ///
@@ -24,9 +24,9 @@ namespace FRANKEN_API franken {
 ///  8. light and tone map: the base colour as it is
 ///  9. the base colour's texture, vertex colours, the alpha mask: one colour
 ///
-/// A rung reads no attribute and no texture that the one above does not, so that whatever draws the one can
-/// draw the other, with the same blocks of uniforms. It keeps the BRDF, because blocks are packed for it, and
-/// the output's encoding. A surface always ends at rung 9, which every driver can compile. A sky has
+/// A rung reads no attribute and no texture that the rung above does not read, so that it can be drawn with
+/// the same mesh, textures and blocks of uniforms. A rung keeps the BRDF, because blocks are packed for it,
+/// and the output's encoding. A surface always ends at rung 9, which every driver can compile. A sky has
 /// rungs 1, 2 and 8 (without the tone map), an overlay has rung 2.
 std::optional<Permutation> simpler(const Permutation& permutation);
 

@@ -24,7 +24,7 @@ struct Sun {
     bool ofSky = false;         ///< Taken out of a sky: where that is turned, the direction turns with it.
 };
 
-/// A light with a position (KHR_lights_punctual, point and spot).
+/// A point or spot light (KHR_lights_punctual).
 struct PunctualLight {
     Double3 position{0, 0, 0};  ///< World space, m
     Float3 direction{0, 0, -1}; ///< Where a spot shines, world space; any length but 0

@@ -9,11 +9,11 @@
 namespace FRANKEN_API franken {
 
 /// One rule of the lint. The rules are stricter than GLSL ES 1.00 (Khronos, revision 17): they also forbid
-/// what the language allows but some driver on a Raspberry Pi class GPU refuses, or what a person who reads
-/// the text would stumble over.
+/// code that the language allows but that some driver of a Raspberry Pi class GPU refuses, or that is hard to
+/// read.
 struct LintRule {
     std::string_view id;      ///< Stable, for programs: "integer-literal".
-    std::string_view meaning; ///< One sentence: what is demanded.
+    std::string_view meaning; ///< The demand, in one sentence.
 };
 
 /// All rules, in the order in which they are checked.
@@ -23,7 +23,7 @@ std::span<const LintRule> lintRules();
 struct LintFinding {
     Stage stage;
     int line;              ///< In the stage's text, from 1.
-    LineOrigin origin;     ///< Whence that line came; an empty snippet where the composer wrote it.
+    LineOrigin origin;     ///< The line's source; its snippet is empty where the composer wrote it.
     std::string_view rule; ///< An id of lintRules().
     std::string message;   ///< One sentence, for people.
 };
@@ -32,12 +32,13 @@ struct LintFinding {
 /// no snippet.
 std::string toString(const LintFinding& finding);
 
-/// Checks one stage on its own. The text is taken as GLSL that a compiler accepts: the lint finds its way
-/// through any text without failing, but it reports style and portability, not syntax. Lines beyond
-/// `stage.lines` count as the composer's own, so a bare text with an empty line map may be checked too.
+/// Checks one stage on its own. The text should be GLSL that a compiler accepts: the lint survives any text,
+/// but reports style and portability, not syntax. Lines beyond `stage.lines` count as the composer's own, so
+/// that a text with an empty line map can be checked as well.
 std::vector<LintFinding> lint(const ComposedStage& stage, Stage which);
 
-/// Checks both stages, and what they must agree on to be linked: varyings, and uniforms that both declare.
+/// Checks both stages, and the declarations that must agree when they are linked: varyings, and uniforms of
+/// both.
 std::vector<LintFinding> lintProgram(const Composed& program);
 
 } // namespace franken

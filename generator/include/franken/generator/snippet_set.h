@@ -19,27 +19,26 @@ namespace FRANKEN_API franken {
 /// keeps no reference to its set.
 class SnippetSet {
 public:
-    /// The files of generator/glsl, as they were at build time. What is composed unless told otherwise.
+    /// The files of generator/glsl, as they were at build time. The default of compose().
     static const SnippetSet& builtIn();
 
     /// The text of a snippet, as its file in generator/glsl has it; `name` is one of names().
     using Source = std::function<Result<std::string>(std::string_view name)>;
 
-    /// What the recipe names: "fragment/ambient/none" for fragment/ambient/none.glsl of generator/glsl.
+    /// The snippets of the recipe: "fragment/ambient/none" for fragment/ambient/none.glsl of generator/glsl.
     static std::vector<std::string> names();
 
     /// Makes a set of other texts (lib/programs reads them from a folder: snippet_folder.h). A text may
-    /// differ from the built-in one in everything but what the rest of this build relies on: attributes,
-    /// uniforms and samplers can be left out, but new ones need a place in pack.h or texture_role.h, and so a
-    /// build.
+    /// differ from the built-in one, but its interface must be known to this build: attributes, uniforms and
+    /// samplers can be left out, but new ones need a place in pack.h or texture_role.h, and so a build.
     ///
-    /// Whether the GLSL compiles is for a driver to say. Fails as `source` does, and, with file and line in
-    /// `where`, with
+    /// Does not check whether the GLSL compiles; a driver does. Fails as `source` does, and, with file and
+    /// line in `where`, with
     ///
     ///     snippet.syntax      breaks the contract of a snippet (generator/README.md)
     ///     snippet.interface   declares what no built-in snippet declares, or as another type
     ///
-    /// `folder`: what errors, and the lines of programs, call the place that the texts came from.
+    /// `folder` names the source of the texts in errors and in the origins of lines.
     static Result<SnippetSet> make(const Source& source, std::string folder);
 
     /// All parts of programs; the generator's own business (src/library.h).

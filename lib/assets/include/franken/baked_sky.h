@@ -11,16 +11,16 @@
 #include "franken/environment.h"
 #include "franken/reflection.h"
 
-/// A sky with all that programs need of it, and the file that holds it. Filtering a sky takes seconds on a
-/// desktop and most of a minute on a Pi: `bake` (in examples/) does it once, and a Pi reads the result.
-/// Nothing here needs GL, and all of it may be called on any thread.
+/// A sky, filtered for programs, and its file format. Filtering a sky takes seconds on a desktop and most of
+/// a minute on a Pi: `bake` (in examples/) does it once, and a Pi reads the result. Nothing here needs GL,
+/// and all functions may be called on any thread.
 namespace FRANKEN_API franken {
 
 struct BakedSky {
     SkyCoefficients coefficients{}; ///< Lighting::sky.
-    std::optional<Sun> sun;         ///< What was taken out of the sky, to be added to Lighting::suns.
-    SkyboxMap skybox;               ///< Renderer::setSkybox(); its size is 0 where none was asked for.
-    ReflectionMaps reflection;      ///< Renderer::setReflection().
+    std::optional<Sun> sun;         ///< Was taken out of the sky; add it to Lighting::suns.
+    SkyboxMap skybox;               ///< For Renderer::setSkybox(); its size is 0 if none was requested.
+    ReflectionMaps reflection;      ///< For Renderer::setReflection().
 };
 
 struct BakeOptions {
@@ -33,8 +33,8 @@ struct BakeOptions {
 
 BakedSky bakeSky(Environment sky, const BakeOptions& options);
 
-/// The file, version 3: little-endian, floats as IEEE 754 has them, nothing between the parts. The version
-/// rises whenever what the textures mean does.
+/// The file format, version 3: little-endian, IEEE 754 floats, no padding. The version rises whenever the
+/// meaning of the textures changes.
 ///
 /// | bytes | what |
 /// |---|---|
@@ -52,15 +52,15 @@ BakedSky bakeSky(Environment sky, const BakeOptions& options);
 /// About 8 MB with the sizes of BakeOptions. Ranges and layouts are those of SkyboxMap and ReflectionAtlas.
 std::vector<std::uint8_t> encodeBakedSky(const BakedSky& sky);
 
-/// Reads it back. Every number is checked before it is used. Fails with "sky.baked": not such a file, another
+/// Decodes a baked sky. Every number is checked before use. Fails with "sky.baked": not such a file, another
 /// version, cut short or too long, a size out of range, or a number that is not finite or below 0.
 Result<BakedSky> decodeBakedSky(std::span<const std::uint8_t> bytes);
 
-/// Whether a file begins as a baked sky does.
+/// Whether a file begins with the magic bytes of a baked sky.
 bool isBakedSky(const std::filesystem::path& path);
 
-/// Loads a sky that was baked (then `options` mean nothing but the limits), or any that loadEnvironment()
-/// takes and bakes it now. Fails as loadEnvironment() and decodeBakedSky() do.
+/// Loads a baked sky (then only the limits of `options` count), or bakes any sky that loadEnvironment() can
+/// load. Fails as loadEnvironment() and decodeBakedSky() do.
 Result<BakedSky> loadSky(const std::filesystem::path& path, const BakeOptions& options = {});
 
 } // namespace franken

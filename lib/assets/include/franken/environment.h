@@ -14,9 +14,9 @@
 #include "franken/image.h"
 #include "franken/result.h"
 
-/// The light that comes from far away, from all around. It is loaded and kept on the CPU in linear floats;
-/// from there come what shaders need: nine coefficients for rough and matt surfaces, and textures of 8 bits
-/// a channel, which is all that GLES2 has on a Raspberry Pi. Nothing here needs GL.
+/// The light of distant surroundings. It is loaded and kept on the CPU in linear floats, and converted to
+/// what shaders read: nine coefficients for rough and matt surfaces, and textures of 8 bits a channel, the
+/// only format that GLES2 has on a Raspberry Pi. Nothing here needs GL.
 namespace FRANKEN_API franken {
 
 /// A sky, as a picture. World space has +Y up and is right-handed; -Z is ahead and +X to the right.
@@ -37,16 +37,16 @@ struct Environment {
     std::vector<glm::vec3> texels; ///< width * height radiances, rows from top to bottom; finite and >= 0.
 };
 
-/// The largest width of a picture of the sky. Twice what the largest texture of a Pi can show; the texels of
-/// such a sky fill 400 MB.
+/// The largest width of a picture of the sky: twice that of a Pi's largest texture. The texels of such a sky
+/// fill 400 MB.
 inline constexpr int kMaxSkyWidth = 8192;
 
-/// How much of a sky's files is believed.
+/// Limits for loading a sky's files.
 struct SkyLimits {
     std::size_t maxFileBytes = std::size_t{128} << 20; ///< Of each file.
 
-    /// Of all that loading holds at a time. The default is enough for 4096 x 2048 texels or faces of 1536,
-    /// and keeps a process that loads any file at all below 256 MiB; a sky of kMaxSkyWidth needs twice as
+    /// Of all memory that loading holds at a time. The default suffices for 4096 x 2048 texels or faces of
+    /// 1536, and keeps any process that loads a file below 256 MiB; a sky of kMaxSkyWidth needs twice as
     /// much.
     std::size_t maxMemoryBytes = std::size_t{240} << 20;
 };
@@ -70,7 +70,7 @@ struct SkyLimits {
 /// without tinyexr) or an error of decodeImage().
 Result<Environment> loadEnvironment(const std::filesystem::path& path, const SkyLimits& limits = {});
 
-/// Likewise, from six pictures in the order +X, -X, +Y, -Y, +Z, -Z.
+/// Loads a sky from six pictures in the order +X, -X, +Y, -Y, +Z, -Z. Fails as the function above does.
 Result<Environment> loadEnvironment(const std::array<std::filesystem::path, 6>& faces,
                                     const SkyLimits& limits = {});
 
@@ -82,10 +82,10 @@ glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction);
 /// for Irradiance Environment Maps", 2001).
 SkyCoefficients skyCoefficients(const Environment& sky);
 
-/// Cuts the sun out of a sky and hands it over as a light, so that textures of the sky need not hold its
-/// range and its reflection is sharp. The sun is what exceeds kSunContrast times the mean radiance within
-/// 5 degrees of the brightest texel; those texels keep that much. The light of both together is unchanged.
-/// Nothing if no texel is that bright.
+/// Cuts the sun out of a sky and returns it as a light, so that textures of the sky need not hold its range
+/// and its reflection is sharp. The sun is the radiance above kSunContrast times the mean, within 5 degrees
+/// of the brightest texel; those texels keep that limit. The light of both together is unchanged. Returns
+/// nothing if no texel is that bright.
 std::optional<Sun> takeSun(Environment& sky);
 
 inline constexpr float kSunContrast = 32;
@@ -98,11 +98,12 @@ struct SkyboxMap {
     std::array<Image, 6> images; ///< +X, -X, +Y, -Y, +Z, -Z.
 };
 
-/// The least range that a SkyboxMap gets, so that skies of one scene differ little in precision.
+/// The smallest range of a SkyboxMap, so that skies of one scene differ little in precision.
 inline constexpr float kMinSkyRange = 64;
 
-/// The largest one, in means of the sky over all directions: 8 bits hold the rest of the sky without steps up
-/// to there. A surface that reflects a fortieth of that, and any sky behind the scene, is white all the same.
+/// The largest range, as a multiple of the sky's mean over all directions: up to there, 8 bits hold the rest
+/// of the sky without visible steps. A surface that reflects a fortieth of that radiance, and a sky behind
+/// the scene, are white in any case.
 inline constexpr float kMaxSkyContrast = 1024;
 
 /// Resamples the sky to a cube of that size (1 to kMaxSkyWidth / 4), each texel the mean over its area, and

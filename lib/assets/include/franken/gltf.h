@@ -14,21 +14,21 @@
 
 namespace FRANKEN_API franken {
 
-/// How much of a file is believed. A file that asks for more is refused, not cut.
+/// Limits for loading a file. A file that exceeds them is refused, not cut.
 struct LoadOptions {
     /// Of the file, and of each that it refers to.
     std::size_t maxFileBytes = std::size_t{128} << 20;
 
     /// Of all that loading allocates: files, parsed JSON, decoded images and vertices, counted before they
-    /// are allocated and never given back. Some 16 MiB go uncounted (code, and what the allocator rounds up),
-    /// so that a process that loads any file at all stays below 256 MiB. That is much for a Raspberry Pi 3,
-    /// and little for a film's set: 12 textures of 2048 x 2048, or two million vertices.
+    /// are allocated and never subtracted again. Some 16 MiB go uncounted (code, and rounding by the
+    /// allocator), so that any process that loads a file stays below 256 MiB. That is much for a Raspberry Pi
+    /// 3, and little for a film's set: 12 textures of 2048 x 2048, or two million vertices.
     std::size_t maxMemoryBytes = std::size_t{240} << 20;
 
     int maxImageSize = kMaxImageSize; ///< Width and height of an image, pixels.
 };
 
-/// Reads a glTF 2.0 file (.gltf or .glb, told apart by content) with all that it refers to.
+/// Reads a glTF 2.0 file (.gltf or .glb, distinguished by content) with all files that it refers to.
 ///
 /// What comes out is at rest: the default scene (else the first, else all root nodes), with the default
 /// morph weights and the skins of the file's own pose applied once, strips and fans as lists, every integer
@@ -39,18 +39,18 @@ struct LoadOptions {
 /// KHR_materials_variants, KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires is an error that names
 /// it, unless a picture at rest is right without.
 ///
-/// The file may be an enemy's. Its container, JSON, names and types are checked before a parser sees them,
-/// all that came out of the parser is checked again, and image headers are read before images are decoded.
-/// Accessors' `min` and `max` are not believed: boxes are measured.
+/// The file may be malicious. Its container, JSON, names and types are checked before a parser sees them, the
+/// parser's result is checked again, and image headers are read before images are decoded. Accessors' `min`
+/// and `max` are not trusted: boxes are measured.
 ///
 /// What endangers memory or has two readings is an error. What has one reading is drawn by it, and what is wrong
 /// with a part that nothing drawn needs costs that part alone: a warning names the fault then. The table of both
 /// is in lib/assets/README.md.
 ///
-/// Files that it refers to are looked for in its folder and below, nowhere else: not over a network, not by
-/// an absolute path, not by a ".." that leaves it, not by a symbolic link out of it. An image that is missing or
-/// broken is a warning. An error's `where` is "file: /json/path" ("file: byte N" for a syntax error, only the file
-/// where the container is at fault):
+/// Files that it refers to are read from its folder and below, nowhere else: not over a network, not by an
+/// absolute path, not by a ".." that leaves the folder, not by a symbolic link out of it. An image that is
+/// missing or broken is a warning. An error's `where` is "file: /json/path" ("file: byte N" for a syntax
+/// error, only the file where the container is at fault):
 ///
 ///     gltf.file            cannot be read, or is over maxFileBytes
 ///     gltf.buffer          the bytes of a buffer that is drawn are missing
@@ -77,8 +77,8 @@ struct LoadOptions {
 Result<Scene> loadGltf(const std::filesystem::path& path, const LoadOptions& options = {},
                        const Log& log = {});
 
-/// Likewise, from memory. `name` is for messages. Files that it refers to are not looked for: their images
-/// are left out, their buffers "gltf.buffer".
+/// Reads a glTF 2.0 file from memory. `name` is for messages. Files that it refers to are not read: their
+/// images are left out, and their buffers fail with "gltf.buffer". Otherwise as the function above.
 Result<Scene> loadGltf(std::span<const std::uint8_t> file, const std::string& name,
                        const LoadOptions& options = {}, const Log& log = {});
 

@@ -8,9 +8,9 @@
 
 namespace FRANKEN_API franken {
 
-/// The levels from 1 on, down to one pixel, of an image whose colours are sRGB: each pixel is the mean of those that it
-/// covers, in linear light. The driver's mipmaps are means of codes, which makes fine patterns darker the
-/// further away they are.
+/// The mip levels from 1 on, down to one pixel, of an image whose colours are sRGB: each pixel is the mean of
+/// the pixels that it covers, in linear light. The driver's mipmaps average sRGB codes, which makes distant
+/// fine patterns too dark.
 std::vector<Image> srgbMipmaps(const Image& image);
 
 } // namespace franken

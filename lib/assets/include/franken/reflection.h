@@ -20,7 +20,7 @@
 /// GPU less than nine coefficients.
 namespace FRANKEN_API franken {
 
-/// Called now and then with the share that is done, 0 to 1, from the thread that called.
+/// Called now and then with the finished share, 0 to 1, on the thread of the caller.
 using Progress = std::function<void(float)>;
 
 /// The edge of the sharpest level's squares: 256 gives 0.56 degrees a texel.
@@ -28,9 +28,9 @@ inline constexpr int kReflectionSize = 256;
 inline constexpr int kMinReflectionSize = 256;
 inline constexpr int kMaxReflectionSize = 1024;
 
-/// The sky prefiltered for rising roughness, in kReflectionLevels (pack.h) levels: sums over all of its
-/// texels, so that no sky leaves spots. One picture for a 2D texture with linear filter, clamped to its edge
-/// and without mipmaps. Its texels are encoded as those of SkyboxMap.
+/// The sky prefiltered for rising roughness, in kReflectionLevels (pack.h) levels. Each texel is a sum over
+/// all of the sky's texels, without sampling noise. One picture for a 2D texture with linear filter, clamped
+/// to its edge and without mipmaps. Its texels are encoded as those of SkyboxMap.
 ///
 /// A direction d belongs to the square of the upper half (d.y >= 0) or to that of the lower half beside it,
 /// at the point (d.x, d.z) / (max(|d.x|, |d.z|) + |d.y|), each from -1 to 1, times kAtlasInner. The
@@ -44,7 +44,7 @@ struct ReflectionAtlas {
     float range = 0; ///< The largest radiance that a texel can hold.
 };
 
-/// Of an atlas whose sharpest squares have that size: about 3.26 times as much.
+/// The height of an atlas whose sharpest squares have that size: about 3.26 times the size.
 int reflectionHeight(int size);
 
 /// Leaves a rim around each square, one texel in the smallest, that is filled from beyond the horizon for
@@ -60,14 +60,14 @@ ReflectionAtlas filterReflection(const Environment& sky, int size = kReflectionS
 inline constexpr int kLookupWidth = 128;
 inline constexpr int kLookupHeight = 256;
 
-/// What a surface makes of that sky, as a picture of kLookupWidth x kLookupHeight for a 2D texture with
-/// linear filter, clamped to its edge. u is N.V, v the perceptual roughness. With F0 the reflectance at
-/// normal incidence: R and G: the light of a white sky that is reflected is F0 R + G, within 0.004 from N.V
-/// 0.02 and roughness 0.1 up, and within 0.011 below; B: the level to look at, over 8; A: the share of the
-/// irradiance in that light. The direction to look into is bent towards N by reflectionBend() (pack.h).
+/// How a surface reflects that sky, as a picture of kLookupWidth x kLookupHeight for a 2D texture with linear
+/// filter, clamped to its edge. u is N.V, v the perceptual roughness. With F0 the reflectance at normal
+/// incidence: R and G: the light of a white sky that is reflected is F0 R + G, within 0.004 from N.V 0.02 and
+/// roughness 0.1 up, and within 0.011 below; B: the level to look at, over 8; A: the share of the irradiance
+/// in that light. The direction to look into is bent towards N by reflectionBend() (pack.h).
 Image reflectionLookup();
 
-/// Both textures: what Renderer::setReflection() takes.
+/// Both textures, for Renderer::setReflection().
 struct ReflectionMaps {
     ReflectionAtlas atlas;
     Image lookup;

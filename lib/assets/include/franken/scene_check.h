@@ -7,10 +7,10 @@
 
 namespace FRANKEN_API franken {
 
-/// Holds a scene against what scene.h says of it: arrays as long as each other, indices in range, triangles whole,
-/// numbers finite, normals present and not 0, images with as many bytes as their size says. loadGltf() returns
-/// scenes that pass; this is for those that an application makes. Fails with "scene.data", and says which element
-/// is wrong. Takes a pass over all vertices and indices. Safe on any thread.
+/// Checks that a scene is as scene.h demands: arrays of equal length, indices in range, triangles whole,
+/// numbers finite, normals present and not 0, images with as many bytes as their size says. Scenes from
+/// loadGltf() pass; call it for scenes that an application makes. Fails with "scene.data", which names the
+/// element that is wrong. Takes one pass over all vertices and indices. Safe on any thread.
 Result<void> check(const Scene& scene);
 
 /// Likewise, of a material alone that is to become one of the scene's. Needs none of its pixels and vertices.

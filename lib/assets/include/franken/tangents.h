@@ -8,9 +8,9 @@
 
 namespace FRANKEN_API franken {
 
-/// Gives every triangle its own three vertices, with the triangle's own normal, as glTF 2.0 (3.7.2.1) asks
-/// where a file has no normals. Tangents of the file are dropped, as it asks too. Other attributes are kept.
-/// The normal of a triangle without area is +Z. Needs `positions` and `indices`.
+/// Gives every triangle its own three vertices, with the triangle's own normal, as glTF 2.0 (3.7.2.1) demands
+/// for files without normals. The file's tangents are dropped, as the same section demands; other attributes
+/// are kept. The normal of a triangle without area is +Z. Needs `positions` and `indices`.
 void computeFlatNormals(Primitive& primitive);
 
 /// Computes `tangents` by the method of MikkTSpace (M. Mikkelsen, "Simulation of Wrinkled Surfaces
@@ -28,11 +28,11 @@ void computeFlatNormals(Primitive& primitive);
 /// towards smaller v, which is up in the image: glTF's v grows downwards. (The reference code's splitting of
 /// a group by an angular threshold is left out: at its default of 180 degrees it does nothing.)
 ///
-/// `uv` is what the normal map is sampled with, one for each vertex: the primitive's stream, after its
-/// KHR_texture_transform if it has one. Needs `positions`, `normals` and `indices`. All in float.
+/// `uv` has the normal map's texture coordinates, one for each vertex: the primitive's stream, after its
+/// KHR_texture_transform if it has one. Needs `positions`, `normals` and `indices`. Computes in float.
 void computeTangents(Primitive& primitive, std::span<const glm::vec2> uv);
 
-/// What a texture of the primitive's material is sampled with: its stream, after its KHR_texture_transform.
+/// The coordinates of a texture of the primitive's material: its stream, after its KHR_texture_transform.
 /// Empty where the primitive lacks the stream.
 std::vector<glm::vec2> sampledUv(const Primitive& primitive, const TextureRef& texture);
 

@@ -12,7 +12,7 @@
 
 namespace FRANKEN_API franken {
 
-/// A file descriptor, closed at the end; false where open() failed.
+/// A file descriptor, closed by the destructor; false where open() failed.
 class Descriptor {
 public:
     explicit Descriptor(int number) : m_number(number) {}
@@ -27,7 +27,7 @@ private:
     int m_number;
 };
 
-/// The whole of a regular file; directories, devices and pipes are none. Fails with
+/// The contents of a regular file; directories, devices and pipes are refused. Fails with
 ///
 ///     file.open    it is not there, may not be read, or is no regular file
 ///     file.size    it is larger than `maxBytes`; nothing was read
@@ -35,8 +35,8 @@ private:
 /// `where` is the path.
 Result<std::vector<std::uint8_t>> readFile(const std::filesystem::path& path, std::size_t maxBytes);
 
-/// The same, but a file that is not there is no error: nothing is returned. For who would write it anew, and
-/// must not take a disk that cannot be read for a first start.
+/// The same, but a missing file is not an error: the result is then std::nullopt. For callers that create a
+/// missing file and must not mistake an unreadable disk for a first start.
 Result<std::optional<std::vector<std::uint8_t>>> readFileIfThere(const std::filesystem::path& path,
                                                                  std::size_t maxBytes);
 

@@ -12,31 +12,30 @@
 
 namespace FRANKEN_API franken {
 
-/// Writes a file so that it is the old one or the whole new one, whenever the disk fills up, the process is
-/// killed or the power goes. A regular file is made beside its place under a random name that nobody can have
-/// planted, brought to the disk, and renamed; it keeps the mode, and where it may the owner, of the file that
-/// it replaces. A link is followed, and stays. What is no regular file (a pipe, a terminal, a device) is
-/// written to as it is, byte by byte.
+/// Writes a file so that its path holds either the old or the complete new file, whenever the disk fills up,
+/// the process is killed or the power fails. A regular file is created in the same folder under a random name
+/// that nobody can have planted, synced to the disk, and renamed; it keeps the mode of the file that it
+/// replaces, and its owner where permitted. A link is followed, and stays. Pipes, terminals and devices are
+/// written directly, byte by byte.
 ///
-/// All functions fail with "file.write", `where` being the path: what cannot be written, why, and what to do.
-/// A file that nobody may write to (no mode bit for it) is refused, for root as well. After a failure nothing
-/// is left beside the old file.
+/// All functions fail with "file.write", and `where` is the path. A file without any write permission bit is
+/// refused, for root as well. After a failure no temporary file is left beside the old file.
 class FileWriter {
 public:
-    /// When a file is brought to the disk: by commit(), or, where many are written, by one syncFolder() for
-    /// all, which a disk does a hundred times as fast.
+    /// When a file is synced to the disk: by commit(), or, where many are written, by one syncFolder() for
+    /// all, which is a hundred times as fast.
     enum class Sync : std::uint8_t { Now, Later };
 
     static Result<FileWriter> open(const std::filesystem::path& path, Sync sync = Sync::Now);
 
     FileWriter(FileWriter&&) noexcept;
     FileWriter& operator=(FileWriter&&) = delete;
-    /// Without commit() before it, the file stays as it was.
+    /// Without a commit() before, the old file stays.
     ~FileWriter();
 
     Result<void> write(std::string_view bytes);
 
-    /// Puts the file in its place, on the disk. Called once, at the end.
+    /// Syncs the file and renames it to its path. Called once, at the end.
     Result<void> commit();
 
 private:
@@ -46,22 +45,22 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-/// The whole of a file at once.
+/// Writes a whole file at once.
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes,
                        FileWriter::Sync sync = FileWriter::Sync::Now);
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
-/// Keeps an output from destroying what it is made of. Fails with "file.overwrite" where it is one of the
-/// inputs, by whatever name; of an input that is a folder, where it is a file in it.
+/// Keeps an output from overwriting its own inputs. Fails with "file.overwrite" where `output` is one of the
+/// inputs, by whatever name, or a file in an input that is a folder.
 Result<void> checkNotInput(const std::filesystem::path& output,
                            std::span<const std::filesystem::path> inputs);
 
-/// Brings to the disk what was written to a folder's file system, by whomever.
+/// Syncs the file system of a folder to the disk, with the writes of all processes.
 Result<void> syncFolder(const std::filesystem::path& folder);
 
-/// Keeps others who take it, threads and processes, from a file while it is read, changed and written again.
-/// It is a lock on the file's folder, so that it outlives the file's replacement and leaves nothing behind. A
-/// file system that knows no locks gives it all the same.
+/// A lock between threads and processes that read, change and write the same file. It locks the file's
+/// folder, so that it survives the file's replacement and leaves nothing behind. On a file system without
+/// locks, taking it succeeds without effect.
 class FileLock {
 public:
     /// Waits for at most ten seconds. Fails with "file.lock".

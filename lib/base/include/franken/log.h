@@ -10,8 +10,8 @@ namespace FRANKEN_API franken {
 
 enum class LogLevel { Info, Warning, Error };
 
-/// Where messages go: in the caller's thread, before the call returns. The library itself prints nothing:
-/// who makes an object that has something to say hands it one of these. An empty one drops the message.
+/// Receives messages, in the caller's thread and before the call returns. The library itself prints nothing:
+/// the application passes a Log to each object that reports something. An empty one drops the messages.
 using Log = std::function<void(LogLevel, std::string_view)>;
 
 } // namespace franken

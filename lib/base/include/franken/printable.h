@@ -16,7 +16,7 @@ std::string printable(std::string_view text);
 /// The same, but line ends and tabs stay: for messages of several lines, and for whole files.
 std::string printableLines(std::string_view text);
 
-/// UTF-8 that a Windows editor saved may begin with U+FEFF, which belongs to no text.
+/// UTF-8 saved by a Windows editor may begin with U+FEFF, which is not part of the text.
 inline std::string_view withoutByteOrderMark(std::string_view text) {
     constexpr std::string_view kMark = "\xEF\xBB\xBF";
     return text.starts_with(kMark) ? text.substr(kMark.size()) : text;

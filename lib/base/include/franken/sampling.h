@@ -5,7 +5,7 @@
 
 namespace FRANKEN_API franken {
 
-/// What happens to texture coordinates outside 0..1.
+/// How texture coordinates outside 0-1 are mapped.
 enum class Wrap { Repeat, ClampToEdge, MirroredRepeat };
 
 /// How texels, and for minification mip levels, are filtered.

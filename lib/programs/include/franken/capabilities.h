@@ -7,23 +7,25 @@
 
 namespace FRANKEN_API franken {
 
-/// What a context can do beyond what every GLES2 context can. A default-constructed one is the least that
-/// OpenGL ES 2.0 promises.
+/// Limits and extensions of a context. A default-constructed one has the minimum that OpenGL ES 2.0
+/// guarantees.
 struct Capabilities {
     int maxTextureSize = 64; ///< Width and height, texels.
     int maxCubeSize = 16;    ///< Of the faces of cube maps, texels.
     /// Repeat and mipmaps for sizes that are no powers of two: GL_OES_texture_npot.
     bool anyTextureSize = false;
     bool wideIndices = false;     ///< 32-bit indices: GL_OES_element_index_uint.
-    bool parallelCompile = false; ///< It tells whether it is still compiling: GL_KHR_parallel_shader_compile.
-    bool compilesForStaleTextures = false; ///< Mesa's vc4 and v3d: see texture_reset.h.
+    bool parallelCompile = false; ///< Compilation can be polled: GL_KHR_parallel_shader_compile.
+    /// Mesa's vc4 and v3d: an untextured program is recompiled for the textures that are left bound.
+    bool compilesForStaleTextures = false;
 
-    /// What fragments compute in, measured by a pixel that is drawn: where that fails, Fp32. Mesa's lima says
-    /// 23 bits and GL_FRAGMENT_PRECISION_HIGH, and has 10 bits.
+    /// The float format of fragment shaders, measured by drawing a pixel; Fp32 where the measurement fails.
+    /// GL's own answer is not used: Mesa's lima reports 23 bits and GL_FRAGMENT_PRECISION_HIGH, and has 10
+    /// bits.
     Precision precision = Precision::Fp32;
 
-    /// Asks the context, and draws a pixel in a target of its own. To be called once, not in a frame: state
-    /// is changed afterwards, but not the framebuffer that is bound and the viewport.
+    /// Queries the context, and draws a pixel into a target of its own. Call it once, not in a frame. It
+    /// changes GL state, except for the bound framebuffer and the viewport.
     static Capabilities query(const Gl& gl);
 };
 

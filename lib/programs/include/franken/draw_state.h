@@ -13,9 +13,9 @@
 namespace FRANKEN_API franken {
 
 /// GL state that vc4 and v3d compile into a program: the first draw with a new combination compiles it again.
-/// Other state that they compile in is the same in all draws of this library (textures are RGBA8, each
-/// attribute has one format, the depth test is on, all channels are written), or belongs to the target (its
-/// format and samples).
+/// Other state that these drivers compile in is the same in all draws of this library (textures are RGBA8,
+/// each attribute has one format, the depth test is on, all channels are written), or belongs to the target
+/// (its format and samples).
 struct DrawState {
     struct Wraps {
         Wrap s = Wrap::Repeat, t = Wrap::Repeat;
@@ -24,24 +24,25 @@ struct DrawState {
     static constexpr Wraps kClamped = {Wrap::ClampToEdge, Wrap::ClampToEdge};
     using AllWraps = std::array<Wraps, kTextureUnits>;
 
-    /// As the roles have it: textures repeat, skies are clamped.
+    /// The wraps of texture_role.h: textures repeat, skies are clamped.
     static const AllWraps& usualWraps();
 
-    /// By sampler unit; what a program does not sample does not matter.
+    /// By sampler unit; units that a program does not sample are ignored.
     AllWraps wraps = usualWraps();
     bool blend = false; ///< Source over, without writing depth.
 
     friend bool operator==(const DrawState&, const DrawState&) = default;
 };
 
-/// A program and the state that it is drawn in.
+/// A program, and the state in which it draws.
 struct ProgramUse {
     Permutation permutation; ///< Canonical.
     DrawState state;
     friend bool operator==(const ProgramUse&, const ProgramUse&) = default;
 };
 
-/// Where only the units of `units` (bit n: unit n) count: equal numbers, equal states.
+/// The state as a number, for comparisons: equal numbers, equal states. Only the units in `units` count (bit
+/// n: unit n).
 std::uint64_t toBits(const DrawState& state, unsigned units);
 
 } // namespace franken

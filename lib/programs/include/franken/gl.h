@@ -42,26 +42,25 @@
 
 namespace FRANKEN_API franken {
 
-/// How a context hands over its functions: from the full name ("glClear") to an address, or null.
-/// The signature is that of every surface of the platform part, of SDL_GL_GetProcAddress and of a foreign
-/// engine's loader.
+/// Returns the address of a GL function by its full name ("glClear"), or null. The signature is that of the
+/// platform component's surfaces, of SDL_GL_GetProcAddress and of other engines' loaders.
 using GetProcAddress = std::function<void*(const char* name)>;
 
 /// The functions of one GLES2 context. The library calls GL through this table only and links no GL library,
 /// so that EGL, OSMesa and WebGL are all just one more context, and two of them can live in one process.
 ///
-/// Members bear GL's own names without the prefix: `gl.DrawArrays(GL_TRIANGLES, 0, 3)`. The types are those
-/// of the prototypes in <GLES2/gl2.h>, which is read for its declarations and never linked. A table belongs
-/// to the contexts of the driver that it was loaded from; the context must be current where it is used. It is
-/// plain data (about 1 KiB): whoever draws keeps a copy or a pointer, as it likes.
+/// Members have GL's own names without the prefix: `gl.DrawArrays(GL_TRIANGLES, 0, 3)`. The types are those
+/// of the prototypes in <GLES2/gl2.h>, of which only the declarations are used. A table belongs to the
+/// contexts of the driver from which it was loaded; the context must be current at each call. It is plain
+/// data (about 1 KiB): copies and pointers are equally good.
 struct Gl {
 #define FRANKEN_GL_MEMBER(name) decltype(&::gl##name) name = nullptr; // NOLINT(bugprone-macro-parentheses)
     FRANKEN_GL_FUNCTIONS(FRANKEN_GL_MEMBER)
 #undef FRANKEN_GL_MEMBER
 
-    /// Fills the whole table. Fails with `gl.missing-functions`, and names them all, where the context lacks
-    /// any: a desktop OpenGL context needs version 4.1 or GL_ARB_ES2_compatibility to have them. Some drivers
-    /// (libglvnd) hand out an address for any name, so that success proves nothing about extensions.
+    /// Fills the whole table. Fails with `gl.missing-functions` where the context lacks any function, and
+    /// names them all: a desktop OpenGL context needs version 4.1 or GL_ARB_ES2_compatibility. Some drivers
+    /// (libglvnd) return an address for any name, so that success proves nothing about extensions.
     static Result<Gl> load(const GetProcAddress& getProcAddress);
 };
 

@@ -11,10 +11,10 @@
 
 namespace FRANKEN_API franken {
 
-/// What GL's state was set to, so that nothing is set twice and nothing is asked. GLES2 has no vertex array
-/// objects and drivers check much at each call: a call that changes nothing still costs.
+/// A shadow copy of GL's state, so that nothing is set twice and nothing is queried. GLES2 has no vertex
+/// array objects, and drivers check much at each call: a call that changes nothing still costs.
 ///
-/// All drawing of this library goes through one of these. The state that it touches is
+/// All drawing of this library goes through a GlState. The library changes this state,
 ///
 /// | state | while the library draws |
 /// |---|---|
@@ -28,8 +28,9 @@ namespace FRANKEN_API franken {
 /// | loading alone: unpack alignment | 4 |
 ///
 /// and no other: pixel store, hints, line width, generic attribute values, stencil functions and render
-/// buffers stay as they were. After drawing, the state is what the last draw left. Whoever else calls GL in
-/// the same context changes what he likes and then calls invalidate(), once, before the library draws again.
+/// buffers stay as they were. After drawing, the state is that of the last draw. An application that calls GL
+/// in the same context may change any state; it then calls invalidate(), once, before the library draws
+/// again.
 ///
 /// Belongs to the thread of its context. Calls that change state do nothing else.
 class GlState {
@@ -37,10 +38,11 @@ public:
     /// The table must outlive the object. Nothing is known at first.
     explicit GlState(const Gl& gl) : m_gl(&gl) {}
 
-    /// Someone else used the context, or GL objects were deleted: all of it is set again when it is needed.
+    /// For when someone else used the context, or GL objects were deleted: every state is set again when
+    /// needed.
     void invalidate() { *this = GlState(*m_gl); }
 
-    /// Sets everything that is the same for all draws of the library, where it is not known to be set.
+    /// Sets all state that is the same for all draws of the library, unless it is known to be set.
     void setBaseline();
 
     void setClearColor(const std::array<float, 3>& color);
@@ -66,7 +68,7 @@ public:
     /// Where an array lies in the buffer that bindVertices() bound.
     struct Pointer {
         GLint size;
-        GLenum type; ///< What is not GL_FLOAT is normalised.
+        GLenum type; ///< Types other than GL_FLOAT are normalised.
         GLsizei stride;
         int offset; ///< Bytes.
         bool operator==(const Pointer&) const = default;

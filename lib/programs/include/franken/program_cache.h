@@ -14,8 +14,8 @@ namespace FRANKEN_API franken {
 
 /// Counts of a cache since it was made. A warm run adds to `hits` alone.
 struct ProgramCounters {
-    unsigned compiles = 0;   ///< Shaders that the driver was asked to compile.
-    unsigned links = 0;      ///< Programs that it was asked to link.
+    unsigned compiles = 0;   ///< Shaders that were given to the driver.
+    unsigned links = 0;      ///< Programs that were given to the driver.
     std::uint64_t hits = 0;  ///< Look-ups that found a program ready.
     unsigned failures = 0;   ///< Programs that did not compile, link or draw.
     unsigned evictions = 0;  ///< Programs that made room for others.
@@ -34,9 +34,9 @@ struct ProgramCacheOptions {
     Log log = {};                 ///< Told when the cache grows.
 };
 
-/// The programs of one context, by permutation. A permutation is composed, compiled and linked when it is
-/// asked for first. Shaders are shared between programs by their stage keys, so that a choice of output
-/// compiles no vertex shader; the last program of a shader deletes it.
+/// The programs of one context, by permutation. A permutation is composed, compiled and linked at its first
+/// get(). Shaders are shared between programs by their stage keys, so that another output compiles no vertex
+/// shader; the last program of a shader deletes it.
 ///
 /// Permutations are canonical throughout. A program that failed stays failed, and costs no second attempt.
 ///
@@ -50,8 +50,8 @@ public:
     ProgramCache& operator=(ProgramCache&&) noexcept;
     ~ProgramCache();
 
-    /// Hands a program to the driver without waiting for it, so that drivers which compile in threads have
-    /// many at a time. Does nothing where the program is known already.
+    /// Starts compiling a program without waiting for it, so that drivers with compiler threads get many at a
+    /// time. Does nothing where the program is known already.
     void compileInBackground(const Permutation& permutation);
 
     /// Whether the driver is still compiling, so that get() would wait. Always false where the driver cannot
@@ -64,14 +64,14 @@ public:
     /// that failure is not remembered.
     Result<ProgramHandle> get(const Permutation& permutation);
 
-    /// The program of a key that get() has returned and that is still here, else null: the look-up of a warm
-    /// run, for applications that keep keys.
+    /// The program of a key if get() has returned it before and it was not evicted, else null: the fast
+    /// look-up for applications that keep keys.
     ProgramHandle find(const Key& key);
 
     /// Why a program failed, or null where it did not (or is not known).
     const Error* failure(const Permutation& permutation) const;
 
-    /// Makes a program a failed one, because it links and does not draw. Its holders can still use it.
+    /// Marks a program as failed, because it links but does not draw. Its holders can still use it.
     void reject(const Permutation& permutation, Error error);
 
     /// Composes from other snippets from now on (at first: those that the library was built with), for

@@ -18,8 +18,8 @@ namespace FRANKEN_API franken {
 
 class GlState;
 
-/// A program that failed, and the one that is drawn in its place. The same happens wherever the driver is the
-/// same: `frankenshader dump` writes both programs from their names.
+/// A program that failed, and the program that replaces it. The same driver fails in the same way elsewhere;
+/// `frankenshader dump` writes both programs from their names.
 struct Fallback {
     Permutation failed;
     std::optional<Permutation> next; ///< Nothing after the end of the chain.
@@ -37,7 +37,7 @@ struct WarmUpReport {
     double milliseconds = 0;
 };
 
-/// Programs that are known to draw; stands between a renderer and ProgramCache.
+/// Provides programs that are known to draw; stands between a renderer and ProgramCache.
 ///
 /// **Fallback chain** (a ladder of simpler programs, see simpler()). A program that fails to compile, to link
 /// or to draw is replaced by the next simpler one. vc4's worst failure is silent: the link succeeds, the
@@ -50,8 +50,8 @@ struct WarmUpReport {
 /// each in each state in which it will be used. A program that get() still has to compile afterwards is a
 /// miss.
 ///
-/// **Budget.** When get() may compile no more programs in this frame, the first resident program of the chain
-/// is returned in place of the one that was asked for.
+/// **Budget.** When get() may compile no more programs in this frame, it returns the first resident program
+/// of the fallback chain instead.
 ///
 /// Use it on the thread of its context, as ProgramCache. Compiling a program leaves GL's state undefined (see
 /// GlState for the list), framebuffer and viewport included.
@@ -73,14 +73,14 @@ public:
         bool standIn = false; ///< Ask again in the next frame.
     };
 
-    /// The program to draw with now. Programs that have to be validated draw into the target (its contents
-    /// are undefined afterwards), or into a target of the manager's own where it is null. Fails where even
-    /// the end of the fallback chain does, with its error, and with "renderer.context-lost" where the context
-    /// no longer answers.
+    /// The program with which to draw now. Programs that have to be validated draw into the target (its
+    /// contents are undefined afterwards), or into a target of the manager's own if it is null. Fails with
+    /// the last error of the fallback chain if even its end fails, and with "renderer.context-lost" if the
+    /// context no longer answers.
     Result<Supplied> get(const ProgramUse& use, const DrawTarget* target);
 
-    /// Compiles all programs that these uses need, and the ends of their fallback chains. The target is one
-    /// of those that will be drawn to, or like them; its contents are undefined afterwards. Fails with
+    /// Compiles all programs that these uses need, and the ends of their fallback chains. The target has the
+    /// format and samples of later targets; its contents are undefined afterwards. Fails with
     /// "renderer.context-lost", and with "permutation.range" as canonicalise() does.
     Result<WarmUpReport> warmUp(std::span<const ProgramUse> uses, const DrawTarget& target,
                                 const WarmUpProgress& progress = {});
@@ -90,7 +90,7 @@ public:
     /// unit 0.
     void prepareDraw(GlState& state, const ShaderProgram& next);
 
-    /// GL's state was changed by others.
+    /// For when others changed GL's state.
     void invalidateState();
 
     std::vector<ProgramUse> takeMisses();
@@ -100,10 +100,10 @@ public:
     /// See ProgramCache. Forgets the fallbacks, too.
     void setSnippets(const SnippetSet& snippets);
 
-    /// The context is gone: forgets all that was in it, failures included, and keeps counters, misses and
+    /// Call it when the context is lost: forgets all GL objects, and failures, but keeps counters, misses and
     /// fallbacks. The table must be replaced by one whose functions delete nothing.
     void lost();
-    /// A new context is current; the table is its own.
+    /// Call it when a new context is current and the table is that of the new context.
     void restore(const Capabilities& capabilities);
 
 private:

@@ -11,13 +11,13 @@
 
 namespace FRANKEN_API franken {
 
-/// A linked program, and how its uniforms are fed. Where each uniform's value lies was looked up once, after
-/// the link; feeding a program that has seen the same blocks makes no GL call. Deletes the GL program at its
-/// end, with the context current.
+/// A linked program that uploads its uniforms. Locations are looked up once, after the link; feed() makes no
+/// GL call for blocks that the program has seen. The destructor deletes the GL program; the context must be
+/// current.
 class ShaderProgram {
 public:
-    /// Takes over a program that is linked from that interface, and sets its sampler units. Leaves the
-    /// program in use. The table must outlive the object.
+    /// Takes ownership of a program that was linked from that interface, and sets its sampler units. Leaves
+    /// the program in use. The table must outlive the object.
     ShaderProgram(const Gl& gl, GLuint program, Interface interface);
     ShaderProgram(const ShaderProgram&) = delete;
     ShaderProgram& operator=(const ShaderProgram&) = delete;
@@ -29,8 +29,8 @@ public:
     /// Bit n: the program reads the attribute at location n.
     unsigned attributes() const { return m_attributes; }
 
-    /// Uploads the blocks that it has not seen; one without values is left as it was. The program must be in
-    /// use.
+    /// Uploads the blocks that the program has not seen; a block without values is skipped. The program must
+    /// be in use.
     void feed(const BlockViews& blocks);
     void feed(Block block, const BlockView& view);
 

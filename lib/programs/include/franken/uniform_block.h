@@ -17,7 +17,7 @@ std::uint64_t newSerials(std::uint64_t count);
 
 inline std::uint64_t newSerial() { return newSerials(1); }
 
-/// The values of one block of uniforms, and the serial of that state of them.
+/// The values of one block of uniforms, and the serial that identifies them.
 struct BlockView {
     const float* values = nullptr; ///< Laid out as fieldOffset() says.
     std::uint64_t serial = 0;
@@ -37,13 +37,14 @@ class UniformBlock {
 public:
     const Values& values() const { return m_values; }
 
-    /// The values, to be written at once. A write through a reference that is kept longer is not uploaded.
+    /// The values, for writing. Write before the next draw: later writes through a kept reference are not
+    /// uploaded.
     Values& edit() {
         m_serial = newSerial();
         return m_values;
     }
 
-    /// Replaces the values, where they are others.
+    /// Replaces the values; the serial changes only if the values differ.
     void set(const Values& values) {
         if (std::memcmp(&values, &m_values, sizeof(Values)) != 0)
             edit() = values;

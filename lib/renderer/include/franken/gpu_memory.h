@@ -18,7 +18,7 @@ enum class MemoryUse { Textures, Meshes, Targets };
 
 class GpuMemory;
 
-/// A reserved amount of GPU memory, given back at the end. Moves, does not copy.
+/// A reserved amount of GPU memory, released by the destructor. Movable, not copyable.
 class MemoryLease {
 public:
     MemoryLease() = default;
@@ -44,14 +44,14 @@ private:
     std::size_t m_bytes = 0;
 };
 
-/// Counts the bytes that textures, meshes and targets take on the GPU, and refuses what would exceed a
-/// budget before the driver does: a driver that has no memory left may end the process, draw nothing or take
-/// the screen's memory. A Pi 0 to 3 takes all of it from the contiguous memory (CMA) that its kernel sets
-/// aside, 64 to 256 MB for everything that is on the screen as well; a budget of half of it is a good start.
+/// Counts the bytes that textures, meshes and targets take on the GPU, and refuses allocations above a budget
+/// before the driver does: a driver without free memory may end the process, draw nothing or take the
+/// screen's memory. A Pi 0 to 3 allocates from the contiguous memory (CMA) that its kernel sets aside, 64 to
+/// 256 MB, which also holds the screen's buffers; a budget of half of it is a good start.
 ///
-/// Bytes are those that were asked for (width * height * 4 for each level of a texture). Drivers round up:
-/// vc4 and v3d to tiles of 4 KiB and, without mipmaps, by some percent; that is not counted. Not safe on two
-/// threads at once: it belongs to the thread of its context.
+/// Bytes are counted as requested (width * height * 4 for each level of a texture). Drivers round up, which
+/// is not counted: vc4 and v3d to tiles of 4 KiB and, without mipmaps, by some percent. Not thread-safe: use
+/// it on the thread of its context.
 class GpuMemory {
 public:
     static constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
@@ -71,14 +71,14 @@ public:
     /// How often something was evicted.
     unsigned evictions() const { return m_evictions; }
 
-    /// Evicts all that can be evicted, as where the driver itself has no memory left; whether there was
-    /// anything.
+    /// Evicts everything that can be evicted, for when the driver itself has no memory left. Returns whether
+    /// anything was evicted.
     bool evictAll();
 
-    /// Takes bytes out of the budget before GL is asked for them; where they do not fit, evicts until they
-    /// do. Fails with "memory.budget", which names the figures; what was evicted stays evicted. An
-    /// application reserves its own render targets, so that they are counted: width * height * 4 for RGBA8,
-    /// the same for depth with stencil, times the samples.
+    /// Reserves bytes of the budget before GL allocates them; where they do not fit, evicts until they do.
+    /// Fails with "memory.budget", which names the figures; evicted things stay evicted. Applications reserve
+    /// their own render targets too: width * height * 4 for RGBA8, the same for depth with stencil, times the
+    /// samples.
     Result<MemoryLease> reserve(MemoryUse use, std::size_t bytes);
 
 private:

@@ -14,9 +14,9 @@
 
 namespace FRANKEN_API franken {
 
-/// What lights a picture. How many suns and punctual lights there are, whether one of them is a spot, the
-/// kind of ambient light and whether surfaces reflect it choose programs; everything else is a uniform, free
-/// to change from frame to frame.
+/// The lights of a picture. The numbers of suns and punctual lights, whether one of them is a spot, the kind
+/// of ambient light and whether surfaces reflect it choose programs; everything else is a uniform, free to
+/// change from frame to frame.
 struct Lighting {
     std::vector<Sun> suns;                     ///< See fittedLighting().
     std::vector<PunctualLight> punctualLights; ///< See fittedLighting().
@@ -38,19 +38,19 @@ struct Lighting {
 /// Without ambient light.
 Lighting lightingOf(const Scene& scene, const Log& log = {});
 
-/// The lighting with as many lights as one program takes (Permutation::kMaxLights of each kind). Of more
-/// suns, the two nearest in direction become one until four are left: their irradiances add, and the
+/// Limits the lighting to the number of lights that one program takes (Permutation::kMaxLights of each kind).
+/// Of more suns, the two nearest in direction become one until four are left: their irradiances add, and the
 /// direction is the mean, weighted by irradiance. Of more punctual lights, the four of the highest luminous
 /// intensity remain, in their order.
 Lighting fittedLighting(Lighting lighting);
-/// That in words, for a log; empty where nothing has to be fitted.
+/// A description of the fitting, for a log; empty where nothing has to be fitted.
 std::string fittingOf(const Lighting& lighting);
 
-/// From the world to the sky, which is the space that programs compute in: the inverse of skyRotation.
+/// The rotation from the world to the sky's space, in which programs compute: the inverse of skyRotation.
 glm::dmat3 skyFromWorld(const Lighting& lighting);
 
-/// Folds all of it for programs, after fittedLighting(). Lights are given in the sky's space, and punctual
-/// ones from the eye: `eye` is the camera's place in the world, m.
+/// Fits the lighting (see fittedLighting()) and folds it for programs. Lights are converted to the sky's space,
+/// and punctual lights become relative to `eye`, the camera's position in the world, m.
 LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye);
 
 } // namespace franken

@@ -13,26 +13,26 @@
 
 namespace FRANKEN_API franken {
 
-/// The choices that hold for a whole picture, whatever its materials.
+/// Choices for a whole picture, whatever its materials.
 struct Look {
     Brdf brdf = Brdf::Gltf;
     LightVectors lightVectors = LightVectors::PerPixel; ///< Per vertex: where a mesh is fine enough for it.
     Decode decode = Decode::Exact;
     ToneMap toneMap = ToneMap::None;
     Output output = Output::Srgb;
-    /// The target encodes what is written to it (platform::Surface::srgbTarget()): programs then write linear
-    /// light, whatever `output` says. Views of a material's numbers are encoded by such a target as well.
+    /// The target encodes the colours that are written to it (platform::Surface::srgbTarget()): programs then
+    /// write linear light, whatever `output` says. Such a target encodes the views of a material's numbers as
+    /// well.
     bool srgbTarget = false;
     Dither dither = Dither::None;
     View view = View::Shaded;
     Target target = Target::Generic;
     bool facingWorkaround = false;
-    /// A renderer puts in what its context computes in (Capabilities::precision).
+    /// A renderer sets it to Capabilities::precision of its context.
     Precision precision = Precision::Fp32;
 };
 
-/// Which of a primitive's optional attributes are there, and other properties of its vertices that choose
-/// programs.
+/// The optional attributes of a primitive, and other properties of its vertices that choose programs.
 struct VertexContents {
     bool tangents = false;
     std::array<bool, 2> uv{}; ///< TEXCOORD_0, TEXCOORD_1
@@ -53,9 +53,9 @@ struct MaterialPlan {
 };
 
 /// Distributes a material's textures over the two UV streams of a program. A stream is one TEXCOORD set with
-/// one KHR_texture_transform; textures that share both share a stream. Left out, each with a warning that
-/// names the material: a texture whose TEXCOORD set the vertices lack, a texture that would need a third
-/// stream, and a normal map on vertices without tangents.
+/// one KHR_texture_transform; textures that share both share a stream. Some textures are left out, each with
+/// a warning that names the material: a texture whose TEXCOORD set the vertices lack, a texture that would
+/// need a third stream, and a normal map on vertices without tangents.
 MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents& contents,
                           const Log& log = {});
 

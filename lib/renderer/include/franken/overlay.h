@@ -16,28 +16,30 @@ namespace FRANKEN_API franken {
 /// A picture that a renderer holds for overlays; no other handle of the process has its value.
 enum class PictureId : unsigned {};
 
-/// Loads a picture again that was lost with the context or evicted; see SceneSource. Called from drawOverlay().
+/// Loads a picture again after it was evicted or lost with the context; see SceneSource. Called from
+/// drawOverlay().
 using PictureSource = std::function<Result<Image>()>;
 
-/// Right and down from the upper left corner.
+/// A rectangle; x to the right and y down from the upper left corner.
 struct OverlayRect {
     float x = 0, y = 0;
     float width = 0, height = 0;
 };
 
-/// One rectangle. Those of one picture that follow each other are one draw: a text is a list of rectangles
-/// that show parts of one picture of all its letters.
+/// One rectangle. Consecutive rectangles of the same picture are one draw call: a text is a list of
+/// rectangles that show parts of one picture of all letters.
 struct OverlayQuad {
     PictureId picture{};
-    OverlayRect place;            ///< Pixels of the target.
-    OverlayRect part{0, 0, 1, 1}; ///< Of the picture: 0-1.
-    /// Multiplies the picture, alpha too; 0-1. The picture's codes, as an image program's layers do, where
-    /// the shader encodes; its linear light, decoded, on a target that encodes by itself (Output::Linear).
+    OverlayRect place;            ///< Position on the target, pixels.
+    OverlayRect part{0, 0, 1, 1}; ///< Part of the picture, 0-1.
+    /// Multiplies the picture, alpha included; 0-1. Where the shader encodes, the picture's 8-bit values are
+    /// multiplied, as in an image editor's layers; on a target that encodes by itself (Output::Linear), its
+    /// decoded, linear values.
     Float4 color{1, 1, 1, 1};
 };
 
-/// The program that overlays need, for Renderer::warmUp(). Fails with "permutation.range" for a look that does not
-/// exist.
+/// The program that overlays need, for Renderer::warmUp(). Fails with "permutation.range" where a member of
+/// the look has no value of its enumeration.
 Result<ProgramUse> overlayUse(const Look& look);
 
 } // namespace franken

@@ -9,19 +9,19 @@
 
 namespace FRANKEN_API franken {
 
-/// The state that a material of the scene is drawn in.
+/// The GL state with which a material of the scene is drawn.
 DrawState drawStateOf(const Scene& scene, const MaterialPlan& plan, bool blended);
 
-/// Which materials of a scene are asked for: those without a variant, or those of all variants as well.
+/// The materials of a scene that are included: those without a variant, or those of all variants as well.
 enum class Variants { None, All };
 
-/// What a scene needs in that light and look, each once. Needs no GL. For lights that go on and off: once for
-/// each lighting that will occur; for materials that will be changed: with a scene that has them. Fails where
-/// canonicalise() does.
+/// The programs that draw a scene in that light and look, with their state, without repetitions. Needs no GL.
+/// If lights go on and off, call it once for each lighting that will occur; if materials will be changed, with
+/// a scene that has the changed materials. Fails where canonicalise() does.
 Result<std::vector<ProgramUse>> usesOf(const Scene& scene, const Lighting& lighting, const Look& look,
                                        const Log& log = {}, Variants variants = Variants::None);
 
-/// What a skybox needs.
+/// The program that draws a skybox.
 Result<ProgramUse> skyboxUse(const Look& look);
 
 } // namespace franken

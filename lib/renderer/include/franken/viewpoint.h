@@ -14,7 +14,7 @@ namespace FRANKEN_API franken {
 /// when it is complete.
 struct Viewpoint {
     glm::dmat4 viewProjection{1.0}; ///< World space to GL's clip space.
-    glm::dvec3 eye{0.0}; ///< World space, m. Of an orthographic camera: so far behind it that all of its
+    glm::dvec3 eye{0.0}; ///< World space, m. For an orthographic camera: so far behind it that all of its
                          ///< lines of sight are parallel.
     glm::dvec3 forward{0, 0, -1}; ///< World space, unit.
     glm::dmat3 clipToSky{1.0};    ///< (x, y, 1) in clip space to a direction in world space.
@@ -23,9 +23,9 @@ struct Viewpoint {
 };
 
 /// `aspect` is the target's width over its height. Nothing is stretched: where the camera has an aspect ratio
-/// of its own and the target is narrower, the angle of view grows until all that the camera sees fits in.
-/// An orthographic camera likewise. The scale of the camera's `world` is ignored, and so is a mirror in it
-/// (glTF 2.0, 3.10.2): it looks along -Z with +Y up, and +X is on its right whatever `world` says.
+/// of its own and the target is narrower, the angle of view (the height of view, for an orthographic camera)
+/// grows until everything that the camera sees fits in. Scale and mirroring in the camera's `world` are
+/// ignored (glTF 2.0, 3.10.2): the camera looks along -Z with +Y up, and +X is always on its right.
 Viewpoint viewpointOf(const Camera& camera, double aspect);
 
 /// A perspective camera that shows all of the box, from the front, a little from the right and above.

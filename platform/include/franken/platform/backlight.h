@@ -9,7 +9,8 @@
 namespace franken {
 namespace FRANKEN_API platform {
 
-/// A panel's light, by the kernel's backlight class (DSI and DPI panels have one; HDMI screens do not).
+/// A panel's backlight, through the kernel's backlight class (DSI and DPI panels have one; HDMI screens do
+/// not).
 class Backlight {
 public:
     /// The first one by name, or the named one. Fails with `backlight.missing`.
@@ -17,8 +18,8 @@ public:
                                   const std::string& folder = "/sys/class/backlight");
 
     const std::string& name() const { return m_name; }
-    /// 0 is off or darkest, 1 brightest. Fails with `backlight.write` (the rights: a udev rule for the group
-    /// video) or, out of that range, `backlight.range`.
+    /// 0 is off or darkest, 1 brightest. Fails with `backlight.range` outside 0-1, and with `backlight.write`
+    /// (without write permission; a udev rule can give it to the group video).
     Result<void> setBrightness(double brightness);
     Result<double> brightness() const;
 

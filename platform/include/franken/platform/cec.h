@@ -10,7 +10,7 @@
 namespace franken {
 namespace FRANKEN_API platform {
 
-/// The calls of the kernel's CEC that this library makes: what a test puts a fake in place of.
+/// The calls to the kernel's CEC device; tests replace them by a fake.
 class CecCalls {
 public:
     virtual ~CecCalls() = default;
@@ -18,18 +18,18 @@ public:
     virtual int call(unsigned long request, void* argument) = 0;
 };
 
-/// Switches a television set off and on over HDMI. Optional: many sets obey in part, some not at all; that
-/// the picture shows again is proved by the next frame alone.
+/// Switches a television set off and on over HDMI. Do not rely on it: many sets obey in part, some not at
+/// all, and only the next completed frame proves that the picture shows again.
 class Cec {
 public:
     /// Fails with `cec.missing` and `cec.permission`.
     static Result<Cec> open(const std::string& device = "/dev/cec0");
     explicit Cec(std::unique_ptr<CecCalls> calls) : m_calls(std::move(calls)) {}
 
-    /// The set goes to sleep (CEC 1.4, <Standby>). Nothing waits: both return when the message is on its way.
-    /// Fail with `cec.driver`, and with `cec.no-screen` where nothing is plugged in that says its address.
+    /// Sends the set to sleep (CEC 1.4, <Standby>). standby() and wake() do not wait for an answer. Both fail
+    /// with `cec.driver`, and with `cec.no-screen` where no connected screen reports its address.
     Result<void> standby();
-    /// The set wakes and shows this machine (<Image View On>, <Active Source>).
+    /// Wakes the set and makes it show this machine (<Image View On>, <Active Source>).
     Result<void> wake();
 
 private:

@@ -10,7 +10,7 @@
 namespace franken {
 namespace FRANKEN_API platform {
 
-/// The calls of a virtual console that this library makes: what a test puts a fake in place of.
+/// The calls to a virtual console; tests replace them by a fake.
 class ConsoleCalls {
 public:
     virtual ~ConsoleCalls() = default;
@@ -18,20 +18,21 @@ public:
     virtual int call(unsigned long request, unsigned long argument) = 0;
 };
 
-/// The virtual console that a kiosk runs on. While it lives, the console reads no keys (what is typed into
-/// the kiosk would run in the login shell behind it), draws nothing (its text, its cursor, its blanking), and
-/// asks before another one is switched to. All of that is put back when it goes, also by std::exit(); after a
-/// crash or SIGKILL by `TTYReset=yes` in the unit, which should have `Conflicts=getty@tty1.service` as well,
-/// or by the next Console that goes.
+/// The virtual console of a kiosk. While this object lives, the console reads no keys (text typed into the
+/// kiosk would run in the login shell behind it), draws nothing (no text, no cursor, no blanking), and asks
+/// before another console is shown. The destructor restores all of that, also at std::exit(); after a crash
+/// or SIGKILL, `TTYReset=yes` in the unit does (the unit should have `Conflicts=getty@tty1.service` as well),
+/// or the destructor of the next Console.
 ///
-/// One in a process: the kernel tells of switches by two signals (SIGRTMIN and SIGRTMIN+1), which it takes.
+/// Only one Console per process: the kernel announces switches by two signals (SIGRTMIN and SIGRTMIN+1),
+/// which it handles.
 class Console {
 public:
     /// The path of a console, "/dev/tty1"; empty: the one that is shown. Fails with `console.missing` (none
     /// is there: a kernel without, a container), `console.permission`, and with `console.busy` for a second
     /// one.
     static Result<std::unique_ptr<Console>> open(const std::string& path = {});
-    /// With calls of one's own.
+    /// Opens a console with replaced calls.
     static Result<std::unique_ptr<Console>> open(std::unique_ptr<ConsoleCalls> calls);
     ~Console();
 
@@ -41,13 +42,13 @@ public:
     enum class Event {
         None,
         Leaving, ///< Another console is asked for: pause the surface; when it is Paused, call left().
-        Returned ///< It is this one's turn again: resume the surface.
+        Returned ///< This console is shown again: resume the surface.
     };
     Event dispatch();
-    /// The screen is given up: the kernel may switch.
+    /// Tells the kernel that the screen is free and that it may switch.
     Result<void> left();
 
-    /// Puts everything back; the destructor does so as well.
+    /// Restores the console; the destructor does so as well.
     void restore();
 
 private:

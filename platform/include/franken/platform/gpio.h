@@ -14,19 +14,19 @@
 /// Buttons, rotary encoders and outputs on GPIO lines, by libgpiod 1.6 or 2.x. Nothing here waits: poll the
 /// descriptors and call dispatch() when they are readable.
 ///
-/// A line that is missing, or that another program holds, is told to the log once and asked for again each
-/// second, for as long as it takes; so is one whose chip goes while it is used.
+/// A line that is missing, or that another program holds, is logged once and requested again every second
+/// until it is available; so is a line whose chip disappears.
 namespace franken {
 namespace FRANKEN_API platform {
 
 /// A line of a chip.
 struct GpioPin {
-    /// Its number on the chip; on a Raspberry Pi the number that its documentation and `pinout` give: 17 is
-    /// GPIO17 (pin 11 of the header) on every model.
+    /// The line's number on the chip; on a Raspberry Pi the GPIO number that its documentation and `pinout`
+    /// give: 17 is GPIO17 (pin 11 of the header) on every model.
     unsigned number = 0;
-    /// The chip's label, name or path ("pinctrl-bcm2711", "gpiochip0"). Empty: that of the Pi's header, by
-    /// its label: numbers of chips and names of lines differ between models and have changed during the Pi
-    /// 5's life.
+    /// The chip's label, name or path ("pinctrl-bcm2711", "gpiochip0"). Empty: the chip of the Pi's header,
+    /// found by its label, because numbers of chips and names of lines differ between models and have changed
+    /// during the Pi 5's life.
     std::string chip = {};
 };
 
@@ -38,7 +38,7 @@ enum class Pull {
 };
 
 struct ButtonOptions {
-    std::string name; ///< What its events are called.
+    std::string name; ///< Name of its events.
     GpioPin pin;
     Pull pull = Pull::Up;
     bool activeLow = true; ///< Pressed means 0 V.
@@ -48,7 +48,7 @@ struct ButtonOptions {
 struct ButtonEvent {
     std::string name;
     Press press;
-    /// By the kernel's clock for edges. To be compared with other such stamps and with nothing else.
+    /// By the kernel's clock for edges. Comparable only with other times of this kind.
     std::chrono::nanoseconds time;
 };
 
@@ -88,14 +88,14 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-/// A lamp, or the transistor of a backlight.
+/// An output, for a lamp or a backlight's transistor.
 class GpioOutput {
 public:
-    /// Never fails: what is missing is asked for again by every set().
+    /// Never fails: every set() requests a missing line again.
     GpioOutput(GpioPin pin, bool activeLow, bool initial, Log log);
     ~GpioOutput();
-    /// Fails with `gpio.busy`, `gpio.missing` or `gpio.driver`; the wish is kept for when the line can be
-    /// had.
+    /// Fails with `gpio.busy`, `gpio.missing` or `gpio.driver`; the value is kept until the line is
+    /// available.
     Result<void> set(bool on);
 
 private:

@@ -11,12 +11,12 @@
 namespace franken {
 namespace FRANKEN_API platform {
 
-/// CRC-32 (ISO 3309, as in PNG and gzip) of some bytes: of a frame's pixels, say.
+/// CRC-32 (ISO 3309, as in PNG and gzip) of a range of bytes, for example a frame's pixels.
 std::uint32_t crc32(const void* data, std::size_t bytes);
 
-/// Writes one line, "FRAMES CHECKSUM", for whoever looks from outside whether the picture lives: the number
+/// Writes one line, "FRAMES CHECKSUM", by which another process can see that the picture changes: the number
 /// of frames shown, and the checksum of the last one in hexadecimal. The file is replaced as a whole. Fails
-/// with `heartbeat.file` (a full or read-only disk); the old file is there then.
+/// with `heartbeat.file` (a full or read-only disk); the old file then stays.
 Result<void> writeHeartbeat(const std::string& file, std::uint64_t frames, std::uint32_t checksum);
 
 } // namespace platform

@@ -22,16 +22,17 @@ struct InputOptions {
     /// How the screen is mounted (Surface::rotation()): a touch sensor is taken to be mounted with it.
     Rotation screen = Rotation::None;
 
-    /// How the touch sensor is mounted, as the viewer sees it, where that is something else. What udev says
-    /// of it (LIBINPUT_CALIBRATION_MATRIX) does not count then, so that it is not turned twice; without it
-    /// that is applied first, and the screen's rotation after it.
+    /// How the touch sensor is mounted, as the viewer sees it, if not as the screen is. It replaces udev's
+    /// calibration (LIBINPUT_CALIBRATION_MATRIX), so that nothing is turned twice; without it, udev's
+    /// calibration is applied first and the screen's rotation second.
     std::optional<Rotation> touch = {};
 
-    /// Take keyboards and touch for this program alone, so that nothing else (the console behind) reads them.
+    /// Take keyboards and touch exclusively, so that no other program (such as the console behind) reads
+    /// them.
     bool grab = false;
 
-    std::string seat = "seat0"; ///< As udev and logind have it.
-    Log log = {};               ///< Told what is plugged and unplugged.
+    std::string seat = "seat0"; ///< The name that udev and logind use.
+    Log log = {};               ///< Receives a message for each device that is plugged or unplugged.
 };
 
 struct TouchEvent {
@@ -39,7 +40,7 @@ struct TouchEvent {
         Down,
         Move,
         Up,
-        Cancel ///< It does not count: the device was unplugged, or a palm was found to be one.
+        Cancel ///< The touch does not count: the device was unplugged, or it was a palm.
     };
     Kind kind;
     int finger;     ///< Which of several; a number that is used again after Up and Cancel.
@@ -48,7 +49,7 @@ struct TouchEvent {
 };
 
 struct KeyEvent {
-    unsigned key; ///< As <linux/input-event-codes.h> has it: KEY_LEFT is 105.
+    unsigned key; ///< A code of <linux/input-event-codes.h>: KEY_LEFT is 105.
     bool down;
     std::chrono::microseconds time;
 };
@@ -63,7 +64,7 @@ struct PointerEvent {
 struct DeviceEvent {
     std::string name;
     bool plugged;
-    bool touch, keyboard, pointer; ///< What it can do.
+    bool touch, keyboard, pointer; ///< Its capabilities.
 };
 
 using InputEvent = std::variant<TouchEvent, KeyEvent, PointerEvent, DeviceEvent>;
@@ -78,7 +79,7 @@ public:
     int descriptor() const;
     std::vector<InputEvent> dispatch();
 
-    /// When the surface's rotation has changed.
+    /// Call it when the surface's rotation has changed.
     void setScreenRotation(Rotation rotation);
 
 private:

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-/// What the raw edges of contacts mean. No hardware and no clock in here: times are those of the edges, and
-/// whoever waits is told for how long.
+/// Turns the raw edges of contacts into presses and steps. Uses no hardware and no clock: times are those of
+/// the edges, and the caller is told how long to wait.
 namespace franken {
 namespace FRANKEN_API platform {
 
@@ -23,11 +23,11 @@ enum class Press {
 const char* toString(Press press);
 
 struct PressOptions {
-    /// A contact that has not changed for so long has settled; what is shorter is bounce.
+    /// A contact that has not changed for this long has settled; shorter changes are bounce.
     std::chrono::milliseconds settle{10};
     std::chrono::milliseconds longPress{800};
-    /// Two presses with less than this between them are a double one. A Short is told only after so long; 0:
-    /// no double presses, and no wait.
+    /// Two presses with less than this between them are a double press. A Short press is reported only after
+    /// this time; 0: no double presses, and no delay.
     std::chrono::milliseconds doublePress{0};
 };
 
@@ -36,17 +36,17 @@ struct ContactEdge {
     std::chrono::nanoseconds time;
 };
 
-/// From the edges of a bouncing contact to those that last.
+/// Filters the edges of a bouncing contact: only lasting ones remain.
 class Debouncer {
 public:
     Debouncer(bool active, std::chrono::nanoseconds settle) : m_active(active), m_settle(settle) {}
 
-    /// A raw edge. Returns the change before it, if that had lasted.
+    /// Takes a raw edge. Returns the change before it, if that has lasted.
     std::optional<ContactEdge> edge(const ContactEdge& raw);
-    /// When nothing has come for the settling time: the contact's level is what it is read as, whatever edges
-    /// were lost. Returns the change, if it is one; its time is that of the burst's first edge.
+    /// Call it when no edge has come for the settling time, with the level that was read then, because edges
+    /// may have been lost. Returns the change, if there is one; its time is that of the first unsettled edge.
     std::optional<ContactEdge> settled(bool active);
-    /// Whether settled() is waited for.
+    /// Whether settled() has to be called.
     bool unsettled() const { return m_burst.has_value(); }
 
 private:
@@ -58,7 +58,7 @@ private:
     ContactEdge m_last{};
 };
 
-/// From the lasting edges of a button to presses.
+/// Turns the lasting edges of a button into presses.
 class PressRecogniser {
 public:
     explicit PressRecogniser(const PressOptions& options) : m_options(options) {}
@@ -69,7 +69,7 @@ public:
     };
 
     void edge(const ContactEdge& edge, std::vector<Event>& events);
-    /// So long after the last edge expired() is due, unless another edge comes.
+    /// How long after the last edge expired() has to be called, unless another edge comes.
     std::optional<std::chrono::nanoseconds> patience() const;
     void expired(std::vector<Event>& events);
 
@@ -83,8 +83,8 @@ private:
     std::chrono::nanoseconds m_time{0}; ///< Of the last edge.
 };
 
-/// From the two contacts of a rotary encoder to steps, by the Gray code: a bounce goes there and back, and
-/// what is no neighbour of the state before was lost and counts as nothing.
+/// Turns the edges of a rotary encoder's two contacts into steps, by the Gray code. A bounce goes there and
+/// back; a jump to a state that is no neighbour of the last one (lost edges) counts as no transition.
 class EncoderDecoder {
 public:
     EncoderDecoder(bool a, bool b, int transitionsPerStep)

@@ -17,9 +17,9 @@ struct Size {
     bool operator==(const Size&) const = default;
 };
 
-/// How far a panel (or a touch sensor) is turned clockwise from the way it was made, as its viewer sees it.
-/// The picture is turned the other way in it. The kernel's `panel orientation` in these words: "Left Side Up"
-/// is Quarter, "Upside Down" is Half, "Right Side Up" is ThreeQuarters.
+/// How far a panel (or a touch sensor) is turned clockwise from its native orientation, as its viewer sees
+/// it. The picture is turned the other way. The kernel's `panel orientation` "Left Side Up" is Quarter,
+/// "Upside Down" is Half, "Right Side Up" is ThreeQuarters.
 enum class Rotation { None, Quarter, Half, ThreeQuarters };
 
 /// Degrees clockwise: 0, 90, 180 or 270.
@@ -28,15 +28,16 @@ int toDegrees(Rotation rotation);
 /// The inverse of toDegrees(); nothing for other numbers.
 std::optional<Rotation> rotationOf(int degrees);
 
-/// As the kernel names a panel's orientation: "Normal", "Left Side Up", "Upside Down" or "Right Side Up".
+/// The rotation of the kernel's panel orientation: "Normal", "Left Side Up", "Upside Down" or "Right Side
+/// Up".
 std::optional<Rotation> rotationOfOrientation(std::string_view orientation);
 
-/// What the viewer has before him when a target of that size is turned: width and height change places for
-/// Quarter and ThreeQuarters.
+/// The size of a turned target, as the viewer sees it: width and height change places for Quarter and
+/// ThreeQuarters.
 Size turned(Size size, Rotation rotation);
 
-/// From clip space as the viewer sees it to clip space of the panel: what the projection is multiplied with
-/// from the left. Column-major, as GL has it.
+/// The matrix from the viewer's clip space to the panel's: multiply the projection by it from the left.
+/// Column-major, as in GL.
 std::array<float, 16> clipRotation(Rotation rotation);
 
 struct Point {
@@ -45,7 +46,7 @@ struct Point {
     bool operator==(const Point&) const = default;
 };
 
-/// From a sensor's own frame to the viewer's.
+/// Converts a point from a sensor's own frame to the viewer's.
 Point toViewer(Point sensor, Rotation rotation);
 
 } // namespace platform

@@ -11,12 +11,12 @@
 #include <string_view>
 #include <vector>
 
-/// How the KMS backend finds and sets its screen. Nothing here needs a context: listScreens() is for a
-/// program that looks at a machine.
+/// How the KMS backend finds and configures its screen. Nothing here needs a context; listScreens() is for
+/// programs that examine a machine.
 namespace franken {
 namespace FRANKEN_API platform {
 
-/// What one pixel of the screen's buffers holds.
+/// The format of the screen's buffers.
 enum class PixelFormat {
     Rgb8,  ///< 8 bits each of red, green and blue: XR24.
     Rgb10, ///< 10 bits each, XR30, where plane and driver have it; Rgb8 otherwise.
@@ -26,8 +26,8 @@ enum class PixelFormat {
 /// "8888", "10bit" or "565".
 std::string_view toString(PixelFormat format);
 
-/// The range of codes that HDMI carries. A screen that takes one for the other shows grey blacks or crushed
-/// ones, and every code is shifted.
+/// The range of codes that HDMI carries. A screen that expects the other range shows grey or crushed blacks,
+/// and every code is shifted.
 enum class RgbRange {
     Full,     ///< 0–255, whatever the mode: what monitors want.
     Limited,  ///< 16–235: what some television sets insist on.
@@ -46,7 +46,7 @@ struct Modeline {
 /// skipped). Fails with `screen.modeline`.
 Result<Modeline> parseModeline(std::string_view text);
 
-/// A mode that is asked for: "1280x720", or "1280x720@50" with a refresh rate in Hz.
+/// A requested mode: "1280x720", or "1280x720@50" with a refresh rate in Hz.
 struct ModeRequest {
     Size size;
     int refresh = 0; ///< Hz; 0 for the highest.
@@ -62,9 +62,10 @@ struct Margins {
 };
 
 struct ScreenOptions {
-    /// The connector's name as the kernel has it ("HDMI-A-1", "DSI-1"). Empty: the first connected one;
-    /// built-in panels (DSI, DPI, LVDS, eDP) come before plugs (HDMI, DP, DVI, VGA), these before all others;
-    /// of the same kind, by name. Where none is connected, one of unknown status that has modes (composite).
+    /// The kernel's name of the connector ("HDMI-A-1", "DSI-1"). Empty: the first connected one; built-in
+    /// panels (DSI, DPI, LVDS, eDP) come before plugs (HDMI, DP, DVI, VGA), these before all others;
+    /// connectors of the same kind are ordered by name. Where none is connected, a connector of unknown
+    /// status that has modes (composite).
     std::string output = {};
 
     /// The kernel driver of the node ("vc4"), where two nodes have a connector of that name; empty: any.
@@ -76,24 +77,24 @@ struct ScreenOptions {
     int maxPixels = 2560 * 1440; ///< Most pixels of the buffer: 4K is more than a Pi 4 fills.
 
     PixelFormat format = PixelFormat::Rgb8;
-    RgbRange range = RgbRange::Full; ///< Set where the connector has `Broadcast RGB`.
-    Margins margins = {};            ///< Set where the connector has them.
+    RgbRange range = RgbRange::Full; ///< Applied where the connector has `Broadcast RGB`.
+    Margins margins = {};            ///< Applied where the connector has them.
 
-    /// Empty: as the kernel says the panel is mounted (`panel orientation`), turned further by the `rotate=`
-    /// of its command line (video=DSI-1:…,rotate=90); None where it says neither.
+    /// Empty: the kernel's `panel orientation`, turned further by `rotate=` on the kernel's command line
+    /// (video=DSI-1:…,rotate=90); None where the kernel reports neither.
     std::optional<Rotation> rotation = {};
 
-    bool assumeConnected = false;          ///< Take `output` whether or not it says that a screen is there.
-    std::optional<Modeline> modeline = {}; ///< The mode then, where EDID has none.
+    bool assumeConnected = false;          ///< Use `output` even if it reports no screen.
+    std::optional<Modeline> modeline = {}; ///< The mode for a screen without EDID.
 
-    /// Draw by the processor where no GPU can be used. Without it such a driver is refused: without rights on
-    /// the render node Mesa falls back to it silently, at 2 frames a second.
+    /// Draw on the CPU where no GPU can be used. Without this option a software driver is refused: Mesa falls
+    /// back to it silently if the render node may not be opened, and then draws 2 frames a second.
     bool allowSoftware = false;
 
     double maxFrameRate = 0; ///< Frames a second at most; 0: the screen's refresh rate.
 
-    /// A flip that is not answered for so long has the screen switched off and on once; a second time ends
-    /// in SurfaceState::Failed.
+    /// When a flip is not answered for this long, the screen is switched off and on once; the second time,
+    /// the surface becomes SurfaceState::Failed.
     std::chrono::milliseconds flipTimeout{5000};
 
     std::string devices = "/dev/dri"; ///< Where the nodes are.
@@ -108,7 +109,7 @@ struct ScreenInfo {
     std::string output; ///< "HDMI-A-1".
     Connection connection = Connection::Unknown;
     std::string mode;                      ///< The preferred one, "1920x1080@60"; empty without one.
-    Rotation orientation = Rotation::None; ///< As the kernel says that it is mounted.
+    Rotation orientation = Rotation::None; ///< As the kernel reports its mounting.
 };
 
 /// Every connector of every KMS node, in the order in which ScreenOptions::output prefers them. Fails with

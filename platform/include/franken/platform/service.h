@@ -12,29 +12,31 @@
 namespace franken {
 namespace FRANKEN_API platform {
 
-/// What a service manager is told, by systemd's protocol (sd_notify(3)): a datagram to $NOTIFY_SOCKET. Does
-/// nothing where there is none. The environment is read once, when it is made.
+/// Reports to a service manager by systemd's protocol (sd_notify(3)): datagrams to $NOTIFY_SOCKET. Does
+/// nothing without that variable. The constructor reads the environment.
 ///
 ///     ServiceManager manager;
-///     manager.ready("drawing");                  // in each turn of the loop: what has not changed is not
-///     sent manager.status(surface->status()); manager.alive();
+///     // In each turn of the loop; unchanged states and texts are not sent again:
+///     manager.ready("drawing");
+///     manager.status(surface->status());
+///     manager.alive();
 class ServiceManager {
 public:
     ServiceManager();
 
     bool present() const { return !m_socket.empty(); }
 
-    /// Half of WatchdogSec=: so often alive() must be called, or the manager ends the process. Nothing where
-    /// the unit has none.
+    /// Half of WatchdogSec=: call alive() at least that often, or the manager ends the process. Nothing where
+    /// the unit has no watchdog.
     std::optional<std::chrono::microseconds> watchdogInterval() const { return m_interval; }
 
-    /// The loop runs, in that state. READY=1 is sent once, the state whenever it is another.
+    /// Reports that the loop runs, in that state. READY=1 is sent once, the state whenever it changes.
     Result<void> ready(std::string_view state);
-    /// One line for `systemctl status`; sent whenever it is another.
+    /// One line for `systemctl status`; sent whenever it changes.
     Result<void> status(std::string_view text);
-    /// A turn of the loop is done. Sent at most once in a quarter of the interval.
+    /// Call it in each turn of the loop. Sent at most once in a quarter of the interval.
     Result<void> alive();
-    /// The process is about to end.
+    /// Reports that the process is about to end.
     Result<void> stopping();
 
 private:

@@ -26,19 +26,20 @@ using GetProcAddress = std::function<void*(const char* name)>;
 inline constexpr int kMaxSamples = 16;
 
 /// Largest width and height that a surface is made with, in pixels: a 4K screen supersampled 2x2, in 256 MiB.
-/// A driver that takes less refuses on its own (vc4: 2048).
+/// Drivers with a lower limit refuse by themselves (vc4: 2048).
 inline constexpr int kMaxSurfaceSize = 8192;
 
 /// Where a surface comes from.
 enum class Backend {
-    /// Mesa's software renderer into this process' memory: needs no device and no privilege. An OpenGL
-    /// compatibility context that takes GLES2 programs; what differs from GLES2 is noted in osmesa.cpp.
+    /// Mesa's software renderer, into this process's memory: needs no device and no privilege. It is an
+    /// OpenGL compatibility context that takes GLES2 programs; osmesa.cpp lists the differences from GLES2.
     OsMesa,
-    /// A GLES2 context with a pbuffer, by EGL without a window system: on a GPU's render node, or by Mesa's
-    /// software driver.
+    /// A GLES2 context with a pbuffer, through EGL without a window system: on a GPU's render node, or with
+    /// Mesa's software driver.
     EglSurfaceless,
-    /// A screen without a window system, by KMS (atomic), GBM and EGL: see ScreenOptions. Needs the right to
-    /// open the nodes in /dev/dri (groups `video` and `render`), and that nobody else is their master.
+    /// A screen without a window system, through KMS (atomic), GBM and EGL: see ScreenOptions. The process
+    /// must be allowed to open the nodes in /dev/dri (groups `video` and `render`), and no other process may
+    /// be their master.
     Kms,
     /// A window on a desktop, by SDL2: for development.
     Window
@@ -47,11 +48,11 @@ enum class Backend {
 /// What a surface is doing. Offscreen surfaces are Ready, or Busy between submit() and dispatch().
 enum class SurfaceState {
     Ready,      ///< A frame can be begun.
-    Busy,       ///< A frame is on its way to the screen, or the frame rate's limit is waited out.
-    NoScreen,   ///< Nothing is connected, or the device is not there (yet): waits for it.
+    Busy,       ///< A frame is on its way to the screen, or the frame rate's limit delays it.
+    NoScreen,   ///< No screen is connected, or the device is not there (yet): waits for it.
     Paused,     ///< Somebody else is master of the screen: waits until it is free.
     Blanked,    ///< blank() was asked for.
-    Recovering, ///< The kernel refused a frame for want of something: tries again in a moment.
+    Recovering, ///< The kernel refused a frame, temporarily: tries again in a moment.
     Failed ///< Nothing helped: failure() says why. End the process, so that a service manager restarts it.
 };
 
@@ -60,7 +61,7 @@ std::string_view toString(SurfaceState state);
 
 /// A frame that was shown.
 struct CompletedFrame {
-    std::uint64_t sequence = 0;   ///< Of the screen's refresh; of the frame, for a surface without one.
+    std::uint64_t sequence = 0;   ///< Of the screen's refresh; of the frame, for a surface without a screen.
     std::int64_t nanoseconds = 0; ///< When its first pixel was scanned out; CLOCK_MONOTONIC.
     int missed = 0; ///< Refreshes between the one that it was due at and the one that showed it.
 };
@@ -69,10 +70,10 @@ struct CompletedFrame {
 struct SurfaceEvents {
     std::optional<CompletedFrame> completed;
     bool stateChanged = false;
-    /// Size, refresh rate, rotation, format, encoding or samples are others than before.
+    /// Size, refresh rate, rotation, format, encoding or samples have changed.
     bool layoutChanged = false;
-    /// All GL objects are gone, and the functions may be others: load the functions, make the objects again.
-    /// Also when a context is there for the first time, after a start without a device.
+    /// All GL objects are lost, and the functions' addresses may have changed: load the functions and make
+    /// the objects again. Also set for the first context, after a start without a device.
     bool contextReplaced = false;
     bool closeRequested = false; ///< The window's close button.
 };
@@ -84,26 +85,30 @@ enum class Blanking {
     Off    ///< The signal ends (DPMS), and most screens go to sleep.
 };
 
-/// A context that speaks GLES2, and the target that it draws to unless told otherwise: an image in memory, a
-/// window or a screen. The target is RGBA8 (or what format() says) with a depth buffer, row 0 at the bottom.
+/// A GLES2 context and its default target: an image in memory, a window or a screen. The target is RGBA8 (or
+/// format()) with a depth buffer, row 0 at the bottom.
 ///
-/// Nothing blocks, and there is no loop in here: the caller's loop polls descriptor() and calls dispatch()
-/// when it is readable. One frame is on its way at a time:
+/// Nothing blocks: the caller's loop polls descriptor() and calls dispatch() when it is readable. One frame
+/// is on its way at a time:
 ///
-///     if (*surface->begin()) { draw(); surface->submit(); }       // … later, when the descriptor is
-///     readable: const SurfaceEvents events = surface->dispatch();           // events.completed: begin the
-///     next one
+///     if (*surface->begin()) {
+///         draw();
+///         surface->submit();
+///     }
+///     // Later, when the descriptor is readable:
+///     const SurfaceEvents events = surface->dispatch();
+///     // When events.completed is set, begin the next frame.
 ///
-/// Offscreen surfaces complete a frame at once, so that one loop serves all; who only reads pictures back can
-/// draw whenever the surface is current.
+/// Offscreen surfaces complete a frame at once, so that the same loop serves all backends; a program that
+/// only reads pictures back can draw whenever the surface is current.
 ///
 /// Surfaces of several backends can live in one process and take turns in one thread: makeCurrent() takes
 /// the thread away from whichever surface had it. A surface is used and destroyed by one thread at a time;
 /// it must not be current in another. Destroying it leaves the thread's other current surface, if any, as it
 /// was.
 ///
-/// Everything about GL comes from getProcAddress(); no GL library is linked, and none must be (two drivers in
-/// one process export the same names). The addresses serve all surfaces of the same backend.
+/// All GL functions come from getProcAddress(); do not link a GL library (two drivers in one process export
+/// the same names). The addresses serve all surfaces of the same backend.
 class Surface {
 public:
     Surface(const Surface&) = delete;
@@ -112,49 +117,49 @@ public:
 
     Backend backend() const { return m_backend; }
 
-    /// What draws, as the driver puts it: GL_RENDERER and GL_VERSION, "softpipe, OpenGL ES 3.1 Mesa 22.3.6".
+    /// The driver's GL_RENDERER and GL_VERSION: "softpipe, OpenGL ES 3.1 Mesa 22.3.6".
     const std::string& driver() const { return m_driver; }
 
     /// Size of the target. It can change in dispatch(), which says so (a screen that is plugged in, a window
     /// that is dragged), and nowhere else.
     Size size() const { return m_size; }
 
-    /// How the screen is mounted. The backend does not turn the picture: multiply the projection with
-    /// clipRotation(), and lay out for turned(size(), rotation()).
+    /// How the screen is mounted. The backend does not turn the picture: multiply the projection by
+    /// clipRotation(), and use turned(size(), rotation()) for the layout.
     Rotation rotation() const { return m_rotation; }
 
     /// Refreshes a second in thousandths; 0 for a surface without a screen.
     int refreshMilliHertz() const { return m_refreshMilliHertz; }
 
-    /// What the target holds.
+    /// The target's pixel format.
     PixelFormat format() const { return m_format; }
 
     SurfaceState state() const { return m_state; }
 
-    /// Why the state is what it is, for people: the screen, its mode and format; what is waited for; or the
-    /// last error.
+    /// A description of the state, for people: the screen, its mode and format; the reason for waiting; or
+    /// the last error.
     const std::string& status() const { return m_status; }
 
-    /// The error that ended it; where state() is Failed.
+    /// The error after which state() became Failed.
     const Error& failure() const { return m_failure; }
 
     /// Whether there is a context. False only for a KMS surface whose device is not there.
     bool hasContext() const { return m_hasContext; }
 
-    /// The GL name of the target's framebuffer: what to bind in order to draw to it. 0 for a target that the
-    /// window system owns, but not to be taken for granted.
+    /// The GL name of the target's framebuffer; bind it to draw to the target. Usually 0 for a target that
+    /// the window system owns, but do not rely on it.
     unsigned framebuffer() const { return m_framebuffer; }
 
-    /// Whether the target encodes what is written to it (linear to sRGB), so that the shader must not. Only
-    /// where SurfaceOptions::srgb asked for it.
+    /// Whether the target encodes written colours (linear to sRGB), so that the shader must not. Only if
+    /// SurfaceOptions::srgb requests it.
     bool srgbTarget() const { return m_srgbTarget; }
 
-    /// How many samples the target has for each pixel, so that edges are smooth; 0 without multisampling.
-    /// Samples are averaged when the frame ends, as codes: not in linear light, unless the target encodes.
-    /// What glReadPixels returns is the average as well, but with llvmpipe the first sample (Mesa 22.3.6).
+    /// The target's samples per pixel, for smooth edges; 0 without multisampling. Samples are averaged when
+    /// the frame ends, as 8-bit values: not in linear light, unless the target encodes. glReadPixels returns
+    /// the average as well, but with llvmpipe the first sample (Mesa 22.3.6).
     int samples() const { return m_samples; }
 
-    /// Where the functions come from; good for as long as the surface lives.
+    /// The loader of GL functions; valid for as long as the surface lives.
     virtual GetProcAddress getProcAddress() const = 0;
 
     /// Makes the context current in this thread. Fails with `surface.driver` where the driver refuses. EGL
@@ -165,31 +170,31 @@ public:
     /// surface.
     virtual int descriptor() const = 0;
 
-    /// Reads what happened; never waits. Call it when descriptor() is readable, and as often as you like.
+    /// Reads pending events; never waits. Call it when descriptor() is readable, or at any other time.
     virtual SurfaceEvents dispatch() = 0;
 
     /// Whether a frame may be drawn now; the context is current then. False in all states but Ready. Fails as
     /// makeCurrent() does.
     Result<bool> begin();
 
-    /// Ends the frame that begin() allowed, and hands it to the screen; state() is Busy afterwards, until a
+    /// Ends the frame that begin() allowed, and sends it to the screen; state() is Busy afterwards, until a
     /// dispatch() returns the frame as completed. The contents of the target are kept where it is an image in
-    /// memory, and undefined on a screen. What the screen's driver refuses is no error here: state() tells.
-    /// Fails with `surface.lost` when the context and all its GL objects are gone: make a new surface and
-    /// rebuild them; with `surface.state` without a begin() before it.
+    /// memory, and undefined on a screen. A frame that the screen's driver refuses is no error here: see
+    /// state(). Fails with `surface.lost` when the context and all its GL objects are gone: make a new
+    /// surface and rebuild them; with `surface.state` without a begin() before it.
     Result<void> submit();
 
-    /// Makes the screen dark, or wakes it: then the next frame that is completed proves that it shows again.
+    /// Makes the screen dark, or wakes it; after waking, the next completed frame proves that it shows again.
     /// Fails with `surface.unsupported` where there is no screen to blank.
     virtual Result<void> blank(Blanking blanking);
 
-    /// Gives the screen to somebody else (another virtual console), after the flip that is on its way, and
-    /// takes it back. Nothing happens where there is no screen to give.
+    /// pause() gives the screen to another program (on another virtual console), after the flip that is on
+    /// its way; resume() takes it back. Without a screen, both do nothing.
     virtual void pause() {}
     virtual void resume() {}
 
-    /// Switches the screen off and on with its mode, as after a fault: a step of Watch's ladder. Nothing
-    /// happens where there is no screen.
+    /// Switches the screen off and on with its mode: Watch::Step::ResetScreen. Without a screen, does
+    /// nothing.
     virtual void resetScreen() {}
 
 protected:
@@ -204,7 +209,7 @@ protected:
     /// The backend's part of submit().
     virtual Result<void> finishFrame() = 0;
 
-    /// What begin() does before it says yes.
+    /// Called by begin() before it returns true.
     virtual void frameBegun() {}
 
     /// unbind() if it is current in the thread. A backend's destructor begins with it.
@@ -233,20 +238,20 @@ private:
 
 struct SurfaceOptions {
     Size size = {256, 256}; ///< Each 1 to kMaxSurfaceSize.
-    bool srgb = false;      ///< A target that encodes, where the driver has one: see srgbTarget().
-    int depthBits = 24;     ///< At least so many, 0 to 32; 0 where no depth buffer is needed.
+    bool srgb = false;      ///< Requests a target that encodes, where the driver has one: see srgbTarget().
+    int depthBits = 24;     ///< A minimum, 0 to 32; 0 where no depth buffer is needed.
 
-    /// At least so many samples a pixel, 0 to kMaxSamples, where the driver has such targets; without
-    /// multisampling where it has none: see samples(). Of Mesa's software drivers llvmpipe has 4 by EGL;
-    /// softpipe has none, nor has OSMesa, whatever draws.
+    /// The minimum of samples a pixel, 0 to kMaxSamples; no multisampling where the driver has no such
+    /// target: see samples(). Of Mesa's software drivers only llvmpipe through EGL has multisampling, with 4
+    /// samples; softpipe and OSMesa have none.
     int samples = 0;
 
-    Log log = {}; ///< Told which driver was found.
+    Log log = {}; ///< Receives the name of the driver.
 
-    /// A folder where Mesa keeps compiled programs from one start to the next (v3d does, vc4 cannot); empty:
-    /// in ~/.cache. For a kiosk whose home cannot be written, or is not kept. Goes to MESA_SHADER_CACHE_DIR,
-    /// unless the environment has that already. It is set for the process, and counts where the driver's
-    /// first context is made: set it in the first create(), before other threads run.
+    /// A folder in which Mesa keeps compiled programs between starts (on v3d; vc4 cannot); empty: in
+    /// ~/.cache. For a kiosk whose home folder is read-only or not persistent. Sets MESA_SHADER_CACHE_DIR for
+    /// the process, unless the environment has it already. Mesa reads it when the driver's first context is
+    /// made: set it in the first create(), before other threads run.
     std::string shaderCache = {};
 
     ScreenOptions screen = {}; ///< For Backend::Kms, which takes its size from the screen.
@@ -259,19 +264,19 @@ std::string_view toString(Backend backend);
 /// The inverse of toString(). Fails with `surface.backend`; the remedy lists the choices.
 Result<Backend> parseBackend(std::string_view text);
 
-/// Makes a surface of that backend, which is current in this thread afterwards (where it fails, none may be).
-/// Any thread may call it. Fails with
+/// Makes a surface of that backend and makes it current in this thread (after a failure, no surface may be
+/// current). Any thread may call it. Fails with
 /// - `surface.options` for a size, depth or number of samples out of range,
 /// - `surface.not-installed` where the backend is not there at all: it names the Debian packages,
 /// - `surface.driver` where a driver is missing or refuses: it names the call and its error,
 /// - `surface.software` where a screen would be drawn by the processor, and ScreenOptions does not allow it,
 /// - `screen.busy` where another process is the screen's master: it names the processes that hold the node,
 /// - `screen.permission` where the nodes may not be opened: it names the groups.
-/// No screen, or no device yet, is no error: the surface waits for it in SurfaceState::NoScreen.
+/// A missing screen or device is no error: the surface waits for it in SurfaceState::NoScreen.
 ///
-/// Which software rasteriser draws is Mesa's choice, through its environment: GALLIUM_DRIVER=softpipe or
-/// llvmpipe for both backends, LIBGL_ALWAYS_SOFTWARE=1 to keep EGL off a GPU. The variables are read once,
-/// when the first context of a backend is made.
+/// Mesa chooses the software rasteriser, by environment variables: GALLIUM_DRIVER=softpipe or llvmpipe for
+/// both backends, LIBGL_ALWAYS_SOFTWARE=1 to keep EGL off a GPU. Mesa reads them once, when the first context
+/// of a backend is made.
 Result<std::unique_ptr<Surface>> create(Backend backend, const SurfaceOptions& options);
 
 } // namespace platform

@@ -7,20 +7,21 @@
 #include <chrono>
 #include <optional>
 
-/// A GPU that hangs tells nobody on a Raspberry Pi: Mesa's vc4 and v3d never report a lost context. It shows
-/// as frames that are not completed, as garbage, or as errors of GL. GpuHealth asks the GPU, Watch judges.
+/// On a Raspberry Pi a GPU hang is not reported: Mesa's vc4 and v3d never report a lost context. A hang shows
+/// as frames that are not completed, as garbage, or as GL errors. GpuHealth tests the GPU, Watch decides what
+/// to do.
 namespace franken {
 namespace FRANKEN_API platform {
 
-/// Asks the GPU of the context that is current. The calls wait for it: a GPU that never answers freezes the
-/// loop, and the service manager's watchdog ends it.
+/// Tests the GPU of the current context. The calls wait for the GPU: if it never answers, the loop freezes,
+/// and the service manager's watchdog ends the process.
 class GpuHealth {
 public:
     explicit GpuHealth(const GetProcAddress& getProcAddress);
 
     /// Draws a canary, one pixel of a colour that differs from the last one, into a target of its own, and
-    /// reads it back: false where the GPU did not draw it. The framebuffer binding, clear colour, colour mask
-    /// and scissor test are put back; asks GL for them, so call it once a minute and not in every frame.
+    /// reads it back; false where the GPU did not draw it. Restores the framebuffer binding, clear colour,
+    /// colour mask and scissor test, which it queries from GL: call it once a minute, not in every frame.
     bool canaryLives();
 
     /// The first error since the last call, as glGetError() names it; 0 without. Once a second is enough.
@@ -34,19 +35,19 @@ private:
 };
 
 struct WatchOptions {
-    /// A frame that is not completed after so long is a fault. A KMS surface acts itself, after
-    /// ScreenOptions::flipTimeout; this is for what it cannot see, so let it be longer.
+    /// A frame that is not completed after this time is a fault. A KMS surface acts by itself after
+    /// ScreenOptions::flipTimeout; make this limit longer, for hangs that the surface cannot see.
     std::chrono::milliseconds frameLimit{12'000};
     std::chrono::milliseconds canaryInterval{60'000};
     std::chrono::milliseconds errorInterval{1'000};
-    int errorLimit = 5; ///< Errors of GL in so many intervals, one after the other, are a fault.
-    /// A fault so long after the last one is a first one again.
+    int errorLimit = 5; ///< GL errors in this many successive intervals are a fault.
+    /// After this time without a fault, the next one counts as the first again.
     std::chrono::milliseconds forgetAfter{600'000};
 };
 
-/// The ladder: at the first fault the screen is set again; at the next the process is to end with an error;
-/// the unit's StartLimitAction reboots the machine where that happens too often. Time is handed in: no clock
-/// in here.
+/// Escalates: after the first fault the screen is reset; after the next the process should end with an error;
+/// the unit's StartLimitAction reboots the machine if that happens too often. Uses no clock: the caller
+/// passes the time.
 class Watch {
 public:
     using Time = std::chrono::nanoseconds;
@@ -57,7 +58,7 @@ public:
     /// Nothing is drawn for now (no screen, blanked, paused): nothing is overdue.
     void idle() { m_submitted.reset(); }
 
-    /// Whether it is time to ask; true once for each interval.
+    /// Whether the next test is due; true once per interval.
     bool canaryDue(Time now) { return isDue(m_canary, m_options.canaryInterval, now); }
     bool errorDue(Time now) { return isDue(m_error, m_options.errorInterval, now); }
     void canary(bool lives) { m_deadCanary = !lives; }
