@@ -7,12 +7,11 @@
 #include "franken/platform/service.h"
 #include "franken/platform/watch.h"
 #include "support/offscreen.h"
+#include "support/service_manager.h"
 #include "support/shell.h"
 
 #include <linux/kd.h>
 #include <linux/vt.h>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -92,53 +91,29 @@ TEST(GpuHealth, SeesADeadOne) {
     EXPECT_FALSE(health.canaryLives());
 }
 
-/// A service manager's end.
-class Manager {
-public:
-    Manager()
-        : m_path(test::emptyTestFolder() / "notify"),
-          m_socket(socket(AF_UNIX, SOCK_DGRAM | SOCK_NONBLOCK, 0)) {
-        sockaddr_un address = {};
-        address.sun_family = AF_UNIX;
-        std::snprintf(address.sun_path, sizeof address.sun_path, "%s", m_path.c_str());
-        EXPECT_EQ(bind(m_socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-        setenv("NOTIFY_SOCKET", m_path.c_str(), 1);
-        setenv("WATCHDOG_USEC", "200000", 1);
-    }
-    ~Manager() {
-        close(m_socket);
-        unsetenv("NOTIFY_SOCKET");
-        unsetenv("WATCHDOG_USEC");
-    }
-    /// All that came, separated by ";".
-    std::string received() const {
-        std::string all;
-        char text[256];
-        for (ssize_t bytes; (bytes = recv(m_socket, text, sizeof text, 0)) > 0;)
-            all.append(text, static_cast<std::size_t>(bytes)).append(";");
-        return all;
-    }
-
-private:
-    std::filesystem::path m_path;
-    int m_socket;
-};
+/// All that came, separated by ";".
+std::string received(const test::FakeServiceManager& manager) {
+    std::string all;
+    for (std::string text = manager.next(); !text.empty(); text = manager.next())
+        all.append(text).append(";");
+    return all;
+}
 
 TEST(ServiceManager, IsToldWhatIsNewOnceAndThatTheLoopTurns) {
-    const Manager manager;
+    const test::FakeServiceManager manager(test::emptyTestFolder(), 200ms);
     ServiceManager service;
     EXPECT_EQ(service.watchdogInterval(), 100ms);
     EXPECT_TRUE(service.ready("drawing"));
     EXPECT_TRUE(service.ready("drawing"));
-    EXPECT_EQ(manager.received(), "READY=1;STATUS=drawing;");
+    EXPECT_EQ(received(manager), "READY=1;STATUS=drawing;");
     EXPECT_TRUE(service.status("HDMI-A-1\n1280x720@60"));
-    EXPECT_EQ(manager.received(), "STATUS=drawing: HDMI-A-1 1280x720@60;");
+    EXPECT_EQ(received(manager), "STATUS=drawing: HDMI-A-1 1280x720@60;");
     EXPECT_TRUE(service.alive());
     EXPECT_TRUE(service.alive());
-    EXPECT_EQ(manager.received(), "WATCHDOG=1;");
+    EXPECT_EQ(received(manager), "WATCHDOG=1;");
     usleep(60'000);
     EXPECT_TRUE(service.alive());
-    EXPECT_EQ(manager.received(), "WATCHDOG=1;");
+    EXPECT_EQ(received(manager), "WATCHDOG=1;");
 }
 
 TEST(Heartbeat, IsReplacedAsAWhole) {

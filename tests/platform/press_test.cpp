@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "franken/platform/press.h"
-#include "franken/platform/rotation.h"
 
 #include <gtest/gtest.h>
 
@@ -87,18 +86,6 @@ TEST(PressRecogniser, TellsTwoPressesFromADoubleOne) {
         button.edge({active, time}, events);
     button.expired(events);
     EXPECT_EQ(names(events), "down short down short");
-}
-
-TEST(Rotation, PictureAndTouchAreTurnedTheSameWay) {
-    for (const Rotation rotation :
-         {Rotation::None, Rotation::Quarter, Rotation::Half, Rotation::ThreeQuarters}) {
-        const std::array<float, 16> clip = clipRotation(rotation);
-        constexpr double kX = 0.5, kY = 0.25; // As the viewer sees it, in clip space: up is positive.
-        const double x = clip[0] * kX + clip[4] * kY, y = clip[1] * kX + clip[5] * kY;
-        const Point seen = toViewer({(1 + x) / 2, (1 - y) / 2}, rotation);
-        EXPECT_NEAR(seen.x, (1 + kX) / 2, 1e-6) << toDegrees(rotation);
-        EXPECT_NEAR(seen.y, (1 - kY) / 2, 1e-6) << toDegrees(rotation);
-    }
 }
 
 struct Turn {

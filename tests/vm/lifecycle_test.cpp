@@ -7,6 +7,7 @@
 #include "support/child.h"
 #include "support/faults.h"
 #include "support/guest.h"
+#include "support/service_manager.h"
 #include "support/sim_chip.h"
 
 #include <drm_fourcc.h>
@@ -14,8 +15,6 @@
 #include <linux/kd.h>
 #include <poll.h>
 #include <sys/ioctl.h>
-#include <sys/socket.h>
-#include <sys/un.h>
 #include <xf86drm.h>
 
 #include <csignal>
@@ -155,50 +154,24 @@ TEST_F(Harmed, SigtermInTheMiddleOfTheLoopEndsItInOrder) {
     expectThatAllIsFree();
 }
 
-/// The service manager's end: what it is told, and when.
-class Manager {
-public:
-    Manager()
-        : m_path(std::filesystem::temp_directory_path() / "notify"),
-          m_socket(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-        sockaddr_un address = {};
-        address.sun_family = AF_UNIX;
-        std::snprintf(address.sun_path, sizeof address.sun_path, "%s", m_path.c_str());
-        EXPECT_EQ(bind(m_socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
-        setenv("NOTIFY_SOCKET", m_path.c_str(), 1);
-        setenv("WATCHDOG_USEC", "2000000", 1);
-    }
-    ~Manager() {
-        close(m_socket);
-        std::filesystem::remove(m_path);
-        unsetenv("NOTIFY_SOCKET");
-        unsetenv("WATCHDOG_USEC");
-    }
-    /// Reads until the watchdog has not been heard of for its two seconds; how long that took.
-    std::chrono::milliseconds silentAfter() const {
-        const auto start = Clock::now();
-        for (auto last = start;;) {
-            pollfd ready = {m_socket, POLLIN, 0};
-            const auto left = last + 2s - Clock::now();
-            if (left <= 0s)
-                return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
-            poll(&ready, 1, static_cast<int>(left / 1ms) + 1);
-            char text[256];
-            const ssize_t bytes = recv(m_socket, text, sizeof text, MSG_DONTWAIT);
-            if (bytes > 0 && std::string_view(text, static_cast<std::size_t>(bytes)) == "WATCHDOG=1")
-                last = Clock::now();
-        }
-    }
+constexpr auto kWatchdog = 2s;
 
-private:
-    std::filesystem::path m_path;
-    int m_socket;
-};
+/// Reads until the watchdog has not been heard of for its time; how long that took.
+std::chrono::milliseconds silentAfter(const FakeServiceManager& manager) {
+    const auto start = Clock::now();
+    for (auto last = start; Clock::now() - last < kWatchdog;) {
+        pollfd ready = {manager.descriptor(), POLLIN, 0};
+        poll(&ready, 1, static_cast<int>((last + kWatchdog - Clock::now()) / 1ms) + 1);
+        if (manager.next() == "WATCHDOG=1")
+            last = Clock::now();
+    }
+    return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start);
+}
 
 TEST_F(Harmed, AFrozenLoopIsSilentAndTheManagerEndsIt) {
-    const Manager manager;
+    const FakeServiceManager manager(std::filesystem::temp_directory_path(), kWatchdog);
     Child frozen(kiosk({"freeze"}));
-    const std::chrono::milliseconds silent = manager.silentAfter();
+    const std::chrono::milliseconds silent = silentAfter(manager);
     EXPECT_GE(silent, 2500ms) << "it was silent before it froze";
     EXPECT_LE(silent, 3500ms);
     EXPECT_TRUE(frozen.runs());
@@ -208,13 +181,13 @@ TEST_F(Harmed, AFrozenLoopIsSilentAndTheManagerEndsIt) {
 }
 
 TEST_F(Harmed, ARunningLoopIsNeverSilent) {
-    const Manager manager;
+    const FakeServiceManager manager(std::filesystem::temp_directory_path(), kWatchdog);
     Child running(kiosk({}));
     std::jthread end([&] {
         std::this_thread::sleep_for(6s);
         running.signal(SIGTERM);
     });
-    EXPECT_GE(manager.silentAfter(), 7s);
+    EXPECT_GE(silentAfter(manager), 7s);
 }
 
 struct Ladder {
