@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 
@@ -7,20 +8,23 @@
 #include "sky.h"
 
 int main(int argc, char** argv) {
-    constexpr const char* kUsage = "usage: make_model OUT.gltf   writes OUT.gltf, OUT.bin and OUT_*.png\n"
-                                   "       make_model OUT.glb    writes one file\n"
-                                   "       make_model OUT.hdr    writes a sky for it\n";
+    constexpr const char* kUsage =
+        "usage: make_model OUT.gltf   writes OUT.gltf, OUT.bin and OUT_*.png\n"
+        "       make_model OUT.glb    writes one file\n"
+        "       make_model OUT.hdr [WIDTH]   writes a sky for it, 2 to 8192 texels wide [4096]\n";
     if (argc == 2 && std::strcmp(argv[1], "--help") == 0) {
         std::cout << kUsage;
         return 0;
     }
-    if (argc != 2 || argv[1][0] == '-') {
+    const std::filesystem::path path = argc > 1 ? argv[1] : "";
+    const bool sky = path.extension() == ".hdr";
+    const int width = argc == 3 ? std::atoi(argv[2]) : make_model::kSkyWidth;
+    if (argc < 2 || argc > (sky ? 3 : 2) || argv[1][0] == '-' || width < 2 || width > 8192) {
         std::cerr << kUsage;
         return 2;
     }
-    const std::filesystem::path path = argv[1];
-    const auto written = path.extension() == ".hdr" ? make_model::writeSky(path)
-                                                    : make_model::writeGltf(make_model::makeModel(), path);
+    const auto written =
+        sky ? make_model::writeSky(path, width) : make_model::writeGltf(make_model::makeModel(), path);
     if (!written) {
         std::cerr << "make_model: " << franken::printable(franken::toString(written.error())) << '\n';
         return 1;

@@ -17,8 +17,7 @@ namespace make_model {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kWidth = 4096, kHeight = 2048; ///< As many texels in a degree as the README's picture has pixels.
-constexpr int kSamples = 2;                  ///< A texel, along each side.
+constexpr int kSamples = 2; ///< A texel, along each side.
 
 const glm::dvec3 kSun = glm::normalize(glm::dvec3(-0.86, 0.16, -0.5));
 constexpr glm::dvec3 kZenith(0.06, 0.13, 0.33), kRose(0.50, 0.40, 0.52), kGold(1.65, 0.82, 0.34);
@@ -47,7 +46,8 @@ glm::dvec3 clouds(const glm::dvec3& d, const glm::dvec3& behind) {
 /// Everything above the water.
 glm::dvec3 above(const glm::dvec3& d) {
     const double turn = std::atan2(d.x, -d.z) / (2 * kPi) + 0.5;
-    const double trees = 0.005 * noise({900 * turn, 0.5}, 900, 23) + 0.003 * noise({2400 * turn, 0.5}, 2400, 29);
+    const double trees =
+        0.005 * noise({900 * turn, 0.5}, 900, 23) + 0.003 * noise({2400 * turn, 0.5}, 2400, 29);
     const double near = 0.008 + 0.05 * cloud({24 * turn, 0.5}, 24, 3) + trees;
     const double far = 0.02 + 0.075 * cloud({12 * turn, 7.5}, 12, 5);
     const glm::dvec3 sky = air(d);
@@ -88,11 +88,11 @@ glm::dvec3 skyRadiance(const glm::dvec3& direction) {
     return above(direction) + (disc ? glm::dvec3(2400, 1400, 680) : glm::dvec3(0));
 }
 
-glm::dvec3 meanRadiance(int x, int y) {
+glm::dvec3 meanRadiance(int x, int y, int width) {
     glm::dvec3 sum(0);
     for (int i = 0; i < kSamples * kSamples; ++i) {
         const double column = x + (i % kSamples + 0.5) / kSamples, row = y + (i / kSamples + 0.5) / kSamples;
-        const double azimuth = (column / kWidth - 0.5) * 2 * kPi, polar = row / kHeight * kPi;
+        const double azimuth = (column / width - 0.5) * 2 * kPi, polar = row / width * 2 * kPi;
         const double ring = std::sin(polar);
         sum += skyRadiance({ring * std::sin(azimuth), std::cos(polar), -ring * std::cos(azimuth)});
     }
@@ -101,12 +101,13 @@ glm::dvec3 meanRadiance(int x, int y) {
 
 } // namespace
 
-franken::Result<void> writeSky(const std::filesystem::path& path) {
-    std::string bytes =
-        "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(kHeight) + " +X " + std::to_string(kWidth) + "\n";
-    for (int y = 0; y < kHeight; ++y)
-        for (int x = 0; x < kWidth; ++x) {
-            const auto texel = toRgbe(meanRadiance(x, y));
+franken::Result<void> writeSky(const std::filesystem::path& path, int width) {
+    const int height = width / 2;
+    std::string bytes = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(height) + " +X " +
+                        std::to_string(2 * height) + "\n";
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < 2 * height; ++x) {
+            const auto texel = toRgbe(meanRadiance(x, y, 2 * height));
             bytes.append(reinterpret_cast<const char*>(texel.data()), texel.size());
         }
     return franken::writeFile(path, bytes);

@@ -52,7 +52,7 @@ TEST_F(Bake, MakesOfASkyWhatTheRuntimeReads) {
 
 /// The demonstration's sky: a sun to the left of what is ahead, and as bright as daylight indoors.
 TEST_F(Bake, MakeModelWritesASky) {
-    ASSERT_EQ(std::system((MAKE_MODEL " " + (m_folder / "lake.hdr").string()).c_str()), 0);
+    ASSERT_EQ(std::system((MAKE_MODEL " " + (m_folder / "lake.hdr").string() + " 1024").c_str()), 0);
     auto sky = loadEnvironment(m_folder / "lake.hdr");
     ASSERT_TRUE(sky) << toString(sky.error());
     EXPECT_EQ(sky->width, 1024);
