@@ -99,7 +99,14 @@ VmPicture drawn(platform::Surface& surface) {
     return picture;
 }
 
-using Backends = GuestTest;
+class Backends : public GuestTest {
+protected:
+    void SetUp() override {
+        GuestTest::SetUp();
+        needs("/usr/bin/Xvfb", "xvfb");
+        needs("/usr/share/assimp/models/glTF2", "assimp-testmodels");
+    }
+};
 
 TEST_F(Backends, AWindowTheScreenAndOffscreenShowTheSameBytes) {
     platform::SurfaceOptions options = GuestTest::options();

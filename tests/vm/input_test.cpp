@@ -38,6 +38,10 @@ std::string describe(const DeviceEvent& device) {
 
 class InputTest : public GuestTest {
 protected:
+    void SetUp() override {
+        GuestTest::SetUp();
+        needs("/lib/systemd/systemd-udevd", "udev");
+    }
     static std::unique_ptr<Input> open(const InputOptions& options = {}) {
         Result<std::unique_ptr<Input>> input = Input::open(options);
         EXPECT_TRUE(input) << toString(input.error());

@@ -26,6 +26,10 @@ double share(const VmPicture& picture) {
 
 class Kiosk : public GuestTest {
 protected:
+    void SetUp() override {
+        GuestTest::SetUp();
+        needs(kModels, "assimp-testmodels");
+    }
     void TearDown() override {
         if (!IsSkipped())
             plug("detect");

@@ -19,6 +19,11 @@ void GuestTest::SetUp() {
         GTEST_SKIP() << "runs in a guest: tests/vm/guest.sh starts it there";
 }
 
+void GuestTest::needs(const std::string& file, const std::string& package) {
+    if (!fs::exists(file))
+        GTEST_SKIP() << "the Debian package " << package << " is not installed";
+}
+
 platform::SurfaceOptions GuestTest::options() {
     platform::SurfaceOptions options;
     options.screen.allowSoftware = true;

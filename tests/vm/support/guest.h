@@ -17,6 +17,8 @@ namespace franken::test {
 class GuestTest : public testing::Test {
 protected:
     void SetUp() override;
+    /// Skips the test where that file is not there.
+    static void needs(const std::string& file, const std::string& package);
 
     /// Options that the guest needs: its screen is drawn by the processor.
     static platform::SurfaceOptions options();
