@@ -60,6 +60,26 @@ TEST_P(SurfaceNumbers, AlphaOfVertexColoursCounts) {
     EXPECT_EQ(codesOf(draw(tinted(material, {1, 1, 1, 0.7f}))), kWhite);
 }
 
+// glTF 2.0, 3.9.3: 1 + strength (texel - 1), of ambient light. Packed or in a texture of its own, R says how
+// much.
+TEST_P(SurfaceNumbers, OcclusionHasItsStrength) {
+    for (const float strength : {0.0f, 0.25f, 1.0f})
+        for (const bool packed : {false, true}) {
+            SceneBuilder builder;
+            Material material;
+            material.metallic = 0;
+            material.occlusionStrength = strength;
+            material.occlusionTexture.texture = builder.addTexture(texel(51, 255, 0)); // 0.2
+            if (packed)
+                material.metallicRoughnessTexture = material.occlusionTexture;
+            builder.add(square(), builder.addMaterial(material));
+            Shot shot = filledBy(builder);
+            shot.lighting.ambient = Ambient::Color;
+            shot.lighting.ambientColor = {0.9f, 0.9f, 0.9f};
+            EXPECT_NEAR(codesOf(draw(shot))[0], 255 * 0.9 * (1 - 0.8 * strength), 1) << strength << packed;
+        }
+}
+
 // Through the near glass the far one is seen, whichever stands first in the file.
 TEST_P(SurfaceNumbers, FarGlassesAreBehindNearOnes) {
     for (const bool nearFirst : {true, false}) {
