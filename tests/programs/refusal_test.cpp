@@ -208,6 +208,15 @@ TEST_P(RefusalTest, ABlackSurfaceIsDrawnAndNotTakenForAFailure) {
     EXPECT_TRUE(Kiosk(gl(), surface()).draw(shot).steps.empty());
 }
 
+TEST_P(RefusalTest, WhatGlWasLeftAtIsNotTakenForAFailure) {
+    Shot shot = richShot();
+    shot.scene.materials[0].doubleSided = true;
+    disturbState(gl()); // Fronts wind clockwise, for one.
+    const Drawn drawn = Kiosk(gl(), surface()).draw(shot);
+    EXPECT_TRUE(drawn.steps.empty());
+    EXPECT_TRUE(drawn.log.empty()) << drawn.log[0];
+}
+
 TEST_P(RefusalTest, ATargetThatCannotBeReadIsTakenOnTrust) {
     Gl blind = gl();
     blind.ReadPixels = [](GLint, GLint, GLsizei width, GLsizei height, GLenum, GLenum, void* pixels) {

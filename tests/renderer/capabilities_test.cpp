@@ -230,6 +230,19 @@ TEST_P(CapabilitiesTest, IndicesAreOf16BitsWhereTheyFitAndWhereOthersAreLacking)
     }
 }
 
+// Softpipe's fragments have 32 bits, whatever was drawn and set before.
+TEST_P(CapabilitiesTest, PrecisionIsMeasuredWhateverGlWasLeftAt) {
+    for (int turn = 0; turn < 4; ++turn) {
+        gl().ClearColor(1, 1, 1, 1);
+        gl().Clear(GL_COLOR_BUFFER_BIT);
+        disturbState(gl());
+        gl().Enable(GL_CULL_FACE);
+        gl().CullFace(turn % 2 == 0 ? GL_FRONT : GL_BACK);
+        gl().FrontFace(turn < 2 ? GL_CW : GL_CCW);
+        EXPECT_EQ(Capabilities::query(gl()).precision, Precision::Fp32) << turn;
+    }
+}
+
 /// What a driver says that it is.
 struct Driver {
     const char *version, *extensions, *renderer;

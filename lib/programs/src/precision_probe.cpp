@@ -83,11 +83,13 @@ Precision measuredPrecision(const Gl& gl, std::string_view qualifier) {
     gl.GetIntegerv(GL_VIEWPORT, viewport.data());
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(GL_TEXTURE_2D, texture.name());
-    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    constexpr std::array<std::uint8_t, 4> kNothing{}; // What memory held before is no measurement.
+    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, 1, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, kNothing.data());
     gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
     gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
     gl.Disable(GL_BLEND);
+    gl.Disable(GL_CULL_FACE);
     gl.Disable(GL_DEPTH_TEST);
     gl.Disable(GL_SCISSOR_TEST);
     gl.Disable(GL_STENCIL_TEST);

@@ -95,6 +95,7 @@ std::vector<bool> ProgramProbe::draw(std::span<const Draw> draws, const DrawTarg
     m_state.setBaseline();
     m_state.setDepthTest(true);
     m_state.setCulling(false);
+    m_state.setFrontFace(GL_CCW); // A double-sided surface of ours faces the eye, whatever was drawn before.
     m_gl->BindFramebuffer(GL_FRAMEBUFFER, used.framebuffer);
     std::vector<bool> drawn;
     const auto width = static_cast<std::size_t>(std::max(used.width, 1));
