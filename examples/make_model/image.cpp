@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "image.h"
 
-#include "common/png.h"
+#include "franken/png.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace make_model {
 
 std::vector<std::uint8_t> encodePng(const Image& image) {
     constexpr int kEffort = 20; // The file is made once and loaded often.
-    return ::encodePng(image.width, image.height, image.channels, image.pixels, kEffort);
+    return franken::encodePng(image.width, image.height, image.channels, image.pixels, kEffort);
 }
 
 std::uint8_t toByte(double value) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "session.h"
 
-#include "common/png.h"
+#include "franken/png.h"
 #include "common/progress_bar.h"
 #include "franken/exposure.h"
 #include "franken/manifest.h"

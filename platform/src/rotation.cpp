@@ -7,51 +7,23 @@ namespace franken::platform {
 
 namespace {
 
-struct RotationRow {
-    int degrees;
-    std::string_view orientation;
-    /// Of a turn counter-clockwise by so many degrees.
-    float cosine, sine;
-};
-
 /// In the order of the enumeration.
-constexpr RotationRow kRotations[] = {{0, "Normal", 1, 0},
-                                      {90, "Left Side Up", 0, 1},
-                                      {180, "Upside Down", -1, 0},
-                                      {270, "Right Side Up", 0, -1}};
+constexpr std::string_view kOrientations[] = {"Normal", "Left Side Up", "Upside Down", "Right Side Up"};
 
-const RotationRow& rowOf(Rotation rotation) { return kRotations[static_cast<std::size_t>(rotation)]; }
+} // namespace
 
-template<typename Matches>
-std::optional<Rotation> find(Matches matches) {
+std::optional<Rotation> rotationOfOrientation(std::string_view orientation) {
     for (const Rotation rotation :
          {Rotation::None, Rotation::Quarter, Rotation::Half, Rotation::ThreeQuarters})
-        if (matches(rowOf(rotation)))
+        if (kOrientations[static_cast<std::size_t>(rotation)] == orientation)
             return rotation;
     return std::nullopt;
 }
 
-} // namespace
-
-int toDegrees(Rotation rotation) { return rowOf(rotation).degrees; }
-
-std::optional<Rotation> rotationOf(int degrees) {
-    return find([&](const RotationRow& row) { return row.degrees == degrees; });
-}
-
-std::optional<Rotation> rotationOfOrientation(std::string_view orientation) {
-    return find([&](const RotationRow& row) { return row.orientation == orientation; });
-}
-
 Size turned(Size size, Rotation rotation) {
-    if (rotation == Rotation::Quarter || rotation == Rotation::ThreeQuarters)
+    if (swapsAxes(rotation))
         std::swap(size.width, size.height);
     return size;
-}
-
-std::array<float, 16> clipRotation(Rotation rotation) {
-    const auto& [degrees, orientation, cosine, sine] = rowOf(rotation);
-    return {cosine, sine, 0, 0, -sine, cosine, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 }
 
 Point toViewer(Point sensor, Rotation rotation) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Small models whose pixels can be worked out by hand, as the viewer draws them on both back ends.
-#include "common/png.h"
+#include "franken/png.h"
 #include "support/gltf_builder.h"
 #include "viewer_run.h"
 

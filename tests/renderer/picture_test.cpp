@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Golden pictures: written by the target `update-goldens` alone, and then looked at by a person. Softpipe of
 // one version of Mesa draws the same bits on every machine and on both backends.
-#include "common/png.h"
+#include "franken/png.h"
 #include "picture_scenes.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/image_diff.h"
 
-#include "common/png.h"
+#include "franken/png.h"
 
 #include <algorithm>
 #include <cassert>

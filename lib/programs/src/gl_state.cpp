@@ -20,7 +20,8 @@ bool changes(Known& known, const Value& value) {
 void GlState::setBaseline() {
     if (!changes(m_hasBaseline, true))
         return;
-    for (const GLenum capability : {GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
+    setScissorTest(false);
+    for (const GLenum capability : {GL_STENCIL_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
                                     GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE})
         m_gl->Disable(capability);
     m_gl->DepthFunc(GL_LEQUAL);
@@ -32,9 +33,9 @@ void GlState::setBaseline() {
     m_gl->ClearDepthf(1);
 }
 
-void GlState::setClearColor(const std::array<float, 3>& color) {
+void GlState::setClearColor(const std::array<float, 4>& color) {
     if (changes(m_clearColor, color))
-        m_gl->ClearColor(color[0], color[1], color[2], 1);
+        m_gl->ClearColor(color[0], color[1], color[2], color[3]);
 }
 
 void GlState::setCapability(std::optional<bool>& known, GLenum capability, bool on) {

@@ -136,7 +136,7 @@ bool ProgramProbe::isRight(const Draw& draw, const Pixel& before, const Pixel& a
 
 ProgramProbe::Pixels ProgramProbe::clear(const Float3& color, std::size_t count) {
     m_state.setDepthWrites(true);
-    m_state.setClearColor(color);
+    m_state.setClearColor({color[0], color[1], color[2], 1});
     m_gl->Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     return read(count);
 }

@@ -56,7 +56,10 @@ Result<ProgramHandle> Frame::resolve(const Result<Permutation>& permutation, con
                                      const DrawTarget* target) {
     if (!permutation)
         return permutation.error();
-    const Result<ProgramManager::Supplied> supplied = m_programs.get({*permutation, state}, target);
+    // A program is proved by drawing with it: not on a picture that is to stay.
+    const bool isErased = target != nullptr && !target->area && target->clear == Clear::ColorAndDepth;
+    const Result<ProgramManager::Supplied> supplied =
+        m_programs.get({*permutation, state}, isErased ? target : nullptr);
     if (!supplied)
         return supplied.error();
     m_resolved = m_resolved && !supplied->standIn;
@@ -106,27 +109,41 @@ void Frame::updateBlocks(const PlacedView& view, const DrawTarget& target) {
 }
 
 // A picture of normals shows those of the world.
-PlacedView Frame::viewFrom(const Viewpoint& viewpoint) const {
-    return {viewpoint, m_look.view == View::Normal ? glm::dmat3(1.0) : skyFromWorld(m_lighting)};
+PlacedView Frame::viewFrom(const Viewpoint& viewpoint, Rotation rotation) const {
+    return {turned(viewpoint, rotation), m_look.view == View::Normal ? glm::dmat3(1.0) : skyFromWorld(m_lighting)};
 }
 
 void Frame::begin(const DrawTarget& target) {
     GlState& state = m_device.state;
     m_device.gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    m_device.gl.Viewport(0, 0, target.width, target.height);
+    const TargetArea area = areaOf(target);
+    m_device.gl.Viewport(area.x, area.y, area.width, area.height);
     state.setBaseline();
     state.setBlending(false);
     state.setDepthTest(true);
     state.setDepthWrites(true);
     state.setDepthRange(0, 1);
     m_content.reflection.bind(state);
-    state.setClearColor(target.background);
-    m_device.gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    clear(target);
     m_boundMaterial = nullptr;
 }
 
+void Frame::clear(const DrawTarget& target) {
+    if (target.clear == Clear::Nothing)
+        return;
+    const Float3& color = target.background;
+    m_device.state.setClearColor({color[0], color[1], color[2], target.backgroundAlpha});
+    if (target.area) {
+        m_device.state.setScissorTest(true);
+        m_device.gl.Scissor(target.area->x, target.area->y, target.area->width, target.area->height);
+    }
+    m_device.gl.Clear(target.clear == Clear::Depth ? GL_DEPTH_BUFFER_BIT
+                                                   : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    m_device.state.setScissorTest(false);
+}
+
 void Frame::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
-    const PlacedView view = viewFrom(viewpoint);
+    const PlacedView view = viewFrom(viewpoint, target.rotation);
     m_list.place(view, m_content.models.movements());
     updateBlocks(view, target);
     m_counters = {.drawn = m_list.visible(), .culled = m_list.size() - m_list.visible()};

@@ -44,8 +44,9 @@ private:
     Result<void> resolveSkybox(const DrawTarget* target);
 
     void updateBlocks(const PlacedView& view, const DrawTarget& target);
-    PlacedView viewFrom(const Viewpoint& viewpoint) const;
+    PlacedView viewFrom(const Viewpoint& viewpoint, Rotation rotation) const;
     void begin(const DrawTarget& target);
+    void clear(const DrawTarget& target);
     void use(ShaderProgram& program, const BlockViews& blocks);
     void bind(const GpuMaterial& material);
     void drawOne(const Object& object);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 
 namespace franken {
 namespace {
@@ -45,6 +46,19 @@ std::vector<std::uint16_t> quadIndices() {
         for (const std::size_t corner : {0, 2, 1, 0, 3, 2})
             indices.push_back(static_cast<std::uint16_t>(quad * kQuadVertices + corner));
     return indices;
+}
+
+/// From the pixels that the viewer of a panel sees, right and down from his upper left corner.
+Float9 pixelsToClip(const TargetArea& area, Rotation rotation) {
+    float width = static_cast<float>(area.width), height = static_cast<float>(area.height);
+    if (swapsAxes(rotation))
+        std::swap(width, height);
+    const std::array<float, 16> turn = clipRotation(rotation);
+    const auto turned = [&](float x, float y) {
+        return std::array{turn[0] * x + turn[4] * y, turn[1] * x + turn[5] * y};
+    };
+    const auto right = turned(2 / width, 0), down = turned(0, -2 / height), corner = turned(-1, 1);
+    return {right[0], right[1], 0, down[0], down[1], 0, corner[0], corner[1], 1};
 }
 
 } // namespace
@@ -100,16 +114,16 @@ Result<void> Overlay::prepare(const Look& look) {
 void Overlay::begin(const DrawTarget& target) {
     GlState& state = m_device.state;
     m_device.gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    m_device.gl.Viewport(0, 0, target.width, target.height);
+    const TargetArea area = areaOf(target);
+    m_device.gl.Viewport(area.x, area.y, area.width, area.height);
     state.setBaseline();
     state.setBlending(true);
     state.setDepthTest(true); // As in all other draws: vc4 compiles a program again without it.
     state.setDepthWrites(false);
     state.setDepthRange(0, 0);
     state.setCulling(false);
-    const auto width = static_cast<float>(target.width), height = static_cast<float>(target.height);
     ObjectBlock object{};
-    object.overlay = {2 / width, 0, 0, 0, -2 / height, 0, -1, 1, 1};
+    object.overlay = pixelsToClip(area, target.rotation);
     m_object.set(object);
     MaterialBlock material{};
     material.baseColor = {1, 1, 1, 1};

@@ -5,9 +5,12 @@
 #include "frame.h"
 #include "franken/context_check.h"
 #include "franken/guard.h"
+#include "franken/saved_state.h"
 #include "overlay.h"
+#include "read_pixels.h"
 
 #include <array>
+#include <optional>
 
 namespace franken {
 namespace {
@@ -42,6 +45,7 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
     }
 
     void lost() {
+        foreign.reset();
         device.lost();
         for (GlOwner* owner : owners)
             owner->lost();
@@ -127,6 +131,7 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
     Frame frame{device, programs.manager, {models, skybox, reflection}};
     const std::array<GlOwner*, 7> owners = {&programs, &models,  &skybox, &reflection,
                                             &pictures, &overlay, &frame};
+    std::optional<SavedState> foreign; ///< Between acquireState() and releaseState().
     Result<void> lightingError; ///< Of the last setLighting().
     std::string saidOfLights;   ///< In the log, so that it is said once.
 };
@@ -294,6 +299,35 @@ Result<void> Renderer::drawOverlay(std::span<const OverlayQuad> quads, const Dra
 void Renderer::invalidateState() {
     m_state->device.state.invalidate();
     m_state->programs.manager.invalidateState();
+}
+
+Result<void> Renderer::acquireState() {
+    invalidateState();
+    return m_state->call("acquireState()", [&]() -> Result<void> {
+        m_state->foreign = SavedState::of(m_state->device.gl);
+        return {};
+    });
+}
+
+Result<void> Renderer::releaseState() {
+    return m_state->call("releaseState()", [&]() -> Result<void> {
+        if (!m_state->foreign)
+            return Error{"renderer.state", "", "there is no state to go back to",
+                         "call acquireState() before the renderer draws"};
+        m_state->foreign->restore(m_state->device.gl);
+        m_state->foreign.reset();
+        m_state->device.state.invalidate();
+        m_state->programs.manager.invalidateState();
+        return {};
+    });
+}
+
+Result<Image> Renderer::readPixels(const DrawTarget& target) {
+    return m_state->call("readPixels()", [&]() -> Result<Image> {
+        if (Result<void> checked = check(target); !checked)
+            return checked.error();
+        return franken::readPixels(m_state->device.gl, target);
+    });
 }
 
 void Renderer::contextLost() { m_state->lost(); }

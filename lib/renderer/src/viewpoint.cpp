@@ -2,6 +2,8 @@
 #include "franken/viewpoint.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -84,6 +86,17 @@ Viewpoint viewpointOf(const Camera& camera, double aspect) {
                               ? glm::dmat3(glm::dvec3(0), glm::dvec3(0), viewpoint.forward)
                               : glm::dmat3(rotation[0] * extent.x, rotation[1] * extent.y, viewpoint.forward);
     return viewpoint;
+}
+
+Viewpoint turned(const Viewpoint& viewpoint, Rotation rotation) {
+    if (rotation == Rotation::None)
+        return viewpoint;
+    const std::array<float, 16> values = clipRotation(rotation);
+    const glm::dmat4 turn(glm::make_mat4(values.data()));
+    Viewpoint result = viewpoint;
+    result.viewProjection = turn * viewpoint.viewProjection;
+    result.clipToSky = viewpoint.clipToSky * glm::transpose(glm::dmat3(turn));
+    return result;
 }
 
 Camera framingCamera(const Box& bounds, double aspect) {

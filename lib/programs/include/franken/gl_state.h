@@ -23,14 +23,16 @@ namespace FRANKEN_API franken {
 /// | blending, depth test, depth writes, face culling, culled face, front face | by pass and material |
 /// | blend equation and function | add; source alpha, one minus source alpha (alpha: one, same) |
 /// | depth function, depth range, colour mask | less or equal, 0 to 1 (overlays: 0), all |
-/// | scissor, stencil and dither, polygon offset, alpha to coverage, sample coverage | off |
+/// | stencil and dither, polygon offset, alpha to coverage, sample coverage | off |
+/// | scissor, its box | off; on while an area of the target is cleared |
 /// | framebuffer, viewport, clear colour, clear depth | the target's |
-/// | loading alone: unpack alignment | 4 |
+/// | loading and reading alone: unpack and pack alignment | 4 |
+/// | compiling alone: render buffer | one of the library's own |
 ///
-/// and no other: pixel store, hints, line width, generic attribute values, stencil functions and render
-/// buffers stay as they were. After drawing, the state is that of the last draw. An application that calls GL
-/// in the same context may change any state; it then calls invalidate(), once, before the library draws
-/// again.
+/// and no other: other pixel store, hints, line width, generic attribute values and stencil functions stay as
+/// they were. After drawing, the state is that of the last draw; Renderer::releaseState() brings back what was
+/// there before. An application that calls GL in the same context may change any state; it then calls
+/// invalidate(), once, before the library draws again.
 ///
 /// Belongs to the thread of its context. Calls that change state do nothing else.
 class GlState {
@@ -45,7 +47,8 @@ public:
     /// Sets all state that is the same for all draws of the library, unless it is known to be set.
     void setBaseline();
 
-    void setClearColor(const std::array<float, 3>& color);
+    void setClearColor(const std::array<float, 4>& color);
+    void setScissorTest(bool on) { setCapability(m_scissorTest, GL_SCISSOR_TEST, on); }
     void setBlending(bool on) { setCapability(m_blending, GL_BLEND, on); }
     void setDepthTest(bool on) { setCapability(m_depthTest, GL_DEPTH_TEST, on); }
     void setCulling(bool on) { setCapability(m_culling, GL_CULL_FACE, on); }
@@ -90,9 +93,9 @@ private:
 
     const Gl* m_gl;
     bool m_hasBaseline = false;
-    std::optional<std::array<float, 3>> m_clearColor;
+    std::optional<std::array<float, 4>> m_clearColor;
     std::optional<std::array<float, 2>> m_depthRange;
-    std::optional<bool> m_blending, m_depthTest, m_culling, m_depthWrites;
+    std::optional<bool> m_scissorTest, m_blending, m_depthTest, m_culling, m_depthWrites;
     GLenum m_frontFace = 0, m_culledFace = 0;
     GLuint m_program = kUnknown, m_vertices = kUnknown, m_indices = kUnknown;
     unsigned m_unit = kUnknown;

@@ -30,7 +30,7 @@ struct OverlayRect {
 /// rectangles that show parts of one picture of all letters.
 struct OverlayQuad {
     PictureId picture{};
-    OverlayRect place;            ///< Position on the target, pixels.
+    OverlayRect place;            ///< Position on the target's area, as its viewer sees it; pixels.
     OverlayRect part{0, 0, 1, 1}; ///< Part of the picture, 0-1.
     /// Multiplies the picture, alpha included; 0-1. Where the shader encodes, the picture's 8-bit values are
     /// multiplied, as in an image editor's layers; on a target that encodes by itself (Output::Linear), its

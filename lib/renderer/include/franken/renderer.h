@@ -183,8 +183,8 @@ public:
     /// The programs that were replaced by simpler ones, in the order in which they were, and why.
     const std::vector<Fallback>& fallbacks() const;
 
-    /// Clears the target and draws. Fails without drawing: with "renderer.target" for a size below 1, bits
-    /// that are not 1 to 16, or a background that is not finite; with "renderer.viewpoint" for numbers that
+    /// Clears the target, or its area, and draws. Fails without drawing: with "renderer.target" for a size below 1, an
+    /// area that is not in the target, bits that are not 1 to 16, or a background that is not finite; with "renderer.viewpoint" for numbers that
     /// are not finite. Fails as prepare() does, once for each set of programs, after it drew all materials
     /// that have a program.
     Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
@@ -199,6 +199,18 @@ public:
     /// "renderer.overlay" for numbers that are not finite, with "renderer.target", as a source does, as an
     /// upload where the pictures drawn since the last draw() do not fit, and as prepare() does.
     Result<void> drawOverlay(std::span<const OverlayQuad> quads, const DrawTarget& target);
+
+    /// What the target's area holds, rows from the top down; a picture that is turned comes out turned. Waits
+    /// for all that was drawn: not for every frame. Fails with "renderer.target" for a framebuffer that is not
+    /// complete, and as an upload. Samples are not averaged by this: read what was resolved.
+    Result<Image> readPixels(const DrawTarget& target);
+
+    /// For a context that a toolkit draws with as well (Qt, GTK, SDL, ImGui): notes GL's state, all that the
+    /// library touches (gl_state.h has the list), and takes over; stands for invalidateState(). Asks GL some
+    /// 110 times, which may wait for the driver: for each frame, not for each draw.
+    Result<void> acquireState();
+    /// Hands GL back as it was at acquireState(); some 90 calls. Fails with "renderer.state" without it.
+    Result<void> releaseState();
 
     /// Tells the renderer that GL's state was changed by others. Call it once, before the next other call.
     /// Bindings of framebuffers and the viewport may change untold.

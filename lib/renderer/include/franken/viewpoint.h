@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/rotation.h"
 #include "franken/scene.h"
 
 #include <glm/ext/matrix_double3x3.hpp>
@@ -27,6 +28,10 @@ struct Viewpoint {
 /// grows until everything that the camera sees fits in. Scale and mirroring in the camera's `world` are
 /// ignored (glTF 2.0, 3.10.2): the camera looks along -Z with +Y up, and +X is always on its right.
 Viewpoint viewpointOf(const Camera& camera, double aspect);
+
+/// As it is drawn on a panel that is mounted like that, so that its viewer sees what the viewpoint shows. The
+/// renderer turns by DrawTarget::rotation; this is for others that draw along.
+Viewpoint turned(const Viewpoint& viewpoint, Rotation rotation);
 
 /// A perspective camera that shows all of the box, from the front, a little from the right and above.
 /// For an empty box: at the origin.

@@ -124,8 +124,8 @@ public:
     /// that is dragged), and nowhere else.
     Size size() const { return m_size; }
 
-    /// How the screen is mounted. The backend does not turn the picture: multiply the projection by
-    /// clipRotation(), and use turned(size(), rotation()) for the layout.
+    /// How the screen is mounted. The backend does not turn the picture: DrawTarget::rotation does (or a
+    /// projection that is multiplied by clipRotation()); use turned(size(), rotation()) for the layout.
     Rotation rotation() const { return m_rotation; }
 
     /// Refreshes a second in thousandths; 0 for a surface without a screen.

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "common/png.h"
+#include "franken/png.h"
 
 #include "franken/file_writer.h"
 
+#define STB_IMAGE_WRITE_STATIC // tinygltf may have one of its own.
 #define STB_IMAGE_WRITE_IMPLEMENTATION
 #define STBI_WRITE_NO_STDIO
 #include <stb_image_write.h>
 
-using namespace franken;
+namespace franken {
 
 std::vector<std::uint8_t> encodePng(int width, int height, int channels, std::span<const std::uint8_t> pixels,
                                     int effort) {
@@ -22,12 +23,19 @@ std::vector<std::uint8_t> encodePng(int width, int height, int channels, std::sp
     return file;
 }
 
-Result<void> writePng(const std::filesystem::path& path, const Image& image) {
+Result<void> writePng(const std::filesystem::path& path, const Image& image, PngChannels channels) {
+    const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+    if (image.width < 1 || image.height < 1 || image.rgba.size() != 4 * pixels)
+        return Error{"image.pixels", path.string(), "the image does not have four bytes for each pixel",
+                     "fill in width, height, and width * height * 4 bytes"};
+    if (channels == PngChannels::Rgba)
+        return writeFile(path, encodePng(image.width, image.height, 4, image.rgba));
     std::vector<std::uint8_t> rgb;
-    rgb.reserve(image.rgba.size() / 4 * 3);
+    rgb.reserve(3 * pixels);
     for (std::size_t pixel = 0; pixel < image.rgba.size(); pixel += 4)
         for (std::size_t channel = 0; channel < 3; ++channel)
             rgb.push_back(image.rgba[pixel + channel]);
-    const std::vector<std::uint8_t> png = encodePng(image.width, image.height, 3, rgb);
-    return writeFile(path, png);
+    return writeFile(path, encodePng(image.width, image.height, 3, rgb));
 }
+
+} // namespace franken
