@@ -15,6 +15,8 @@ void logToStderr(LogLevel level, std::string_view message) {
 }
 
 std::optional<Failure> work(Session& session, const Options& options) {
+    if (options.list)
+        return session.printList();
     if (options.permutations)
         return session.printPermutations();
     if (options.watch)

@@ -31,7 +31,9 @@ struct Options {
     std::filesystem::path heightMap; ///< Empty for none.
     float heightScale = 0.1f;        ///< From black to white, in the model's unit.
 
-    std::string camera; ///< A name or an index; empty for the first.
+    bool list = false;   ///< Says what is in the file, and draws nothing.
+    std::string variant; ///< Empty for none.
+    std::string camera;  ///< A name or an index; empty for the first.
     std::vector<franken::Sun> suns;
     std::optional<franken::Float3> ambient;
     std::filesystem::path skybox; ///< Empty for none.

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "session.h"
 
-#include "franken/png.h"
 #include "common/progress_bar.h"
 #include "franken/exposure.h"
 #include "franken/manifest.h"
+#include "franken/png.h"
 #include "franken/snippet_folder.h"
+#include "franken/variants.h"
+#include "list.h"
 #include "loading.h"
 #include "picture.h"
 #include "setup.h"
@@ -75,6 +77,9 @@ std::optional<Failure> Session::readSubject(Subject& subject) {
     if (!scene)
         return Failure{inShellWords(scene.error()), ExitCode::Refused};
     subject.scene = *std::move(scene);
+    if (!m_options.variant.empty())
+        if (Result<void> chosen = applyVariant(subject.scene, m_options.variant); !chosen)
+            return Failure{chosen.error(), ExitCode::Usage};
     if (subject.scene.instances.empty())
         return Failure{nothingToDraw(m_options), ExitCode::Refused};
     if (Result<void> displaced = applyHeights(subject.scene, m_options); !displaced)
@@ -92,6 +97,14 @@ std::optional<Failure> Session::readSubject(Subject& subject) {
     if (!lighting)
         return Failure{lighting.error(), ExitCode::Usage};
     subject.lighting = *std::move(lighting);
+    return {};
+}
+
+std::optional<Failure> Session::printList() {
+    const Result<Scene> scene = loadGltf(m_options.model, modelLimits(m_options), m_log);
+    if (!scene)
+        return Failure{inShellWords(scene.error()), ExitCode::Refused};
+    std::cout << listOf(*scene);
     return {};
 }
 

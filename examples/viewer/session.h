@@ -19,6 +19,9 @@ public:
     /// Writes the manifest of the picture to stdout.
     std::optional<Failure> printPermutations();
 
+    /// Writes what is in the model's file to stdout.
+    std::optional<Failure> printList();
+
     /// Draws what the files hold now, and replaces the picture in one step: where anything fails, the last
     /// good one is still there. The sky is read again where its files have changed.
     std::optional<Failure> draw();

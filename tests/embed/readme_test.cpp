@@ -8,6 +8,9 @@
 #include "support/shapes.h"
 #include "support/shell.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
 namespace franken::test {
 namespace {
 
@@ -69,6 +72,25 @@ TEST_P(Readme, ASkyLightsAndIsSeen) {
     const ReadBack picture = readBack();
     EXPECT_GT(picture.pixel(16, 16)[1], 0) << "the sky lights the square";
     EXPECT_GT(picture.pixel(0, 0)[2], 0) << "the sky is behind it";
+}
+
+TEST_P(Readme, ThingsChange) {
+    Scene scene = this->scene();
+    Material red;
+    red.baseColor = {1, 0, 0, 1};
+    scene.materials.push_back(red);
+    scene.variants = {"red"};
+    scene.meshes[0].primitives[0].variantMaterials = {1};
+    const SceneSource reload = [&] { return Result<Scene>(scene); };
+    Renderer renderer(gl());
+    Lighting lighting = lightingOf(scene);
+    const Camera camera = framingCamera(scene.bounds(), 1);
+    DrawTarget target = this->target();
+#include "blocks/things-that-change.inc"
+    EXPECT_EQ(renderer.frameCounters().drawn, 2u);
+    const ReadBack picture = readBack();
+    EXPECT_GT(picture.pixel(8, 16)[0], 100);
+    EXPECT_LT(picture.pixel(8, 16)[2], picture.pixel(8, 16)[0]) << "red or orange";
 }
 
 TEST_P(Readme, AKioskWarmsUpFromItsManifestAndKeepsItsMisses) {

@@ -134,6 +134,27 @@ TEST_F(ViewerModels, AnOrthographicCamerasLampStandsWhereItIs) {
     expect(model, {{32, 32, {middle, middle, middle}}, {63, 32, {edge, edge, edge}}}, "", 3);
 }
 
+TEST_F(ViewerModels, AVariantIsDrawnByItsNameAndListed) {
+    Model model;
+    const int green = model.unlit({0, 1, 0, 1}), black = model.unlit({0, 0, 0, 1});
+    model.json["materials"][green]["name"] = "grass";
+    const int quad = model.quad(black);
+    model.json["meshes"][quad]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {
+        {{"material", green}, {"variants", {1}}}};
+    model.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "winter"}}, {{"name", "spring"}}};
+    const int node = model.addNode({{"mesh", quad}});
+    model.json["nodes"][node]["name"] = "meadow";
+    expect(model, {{32, 32, kGreen}}, "--variant spring");
+    expect(model, {{32, 32, kBlack}}, "--variant winter");
+    const Outcome unknown = draw(model.bytes(false), "--variant autumn");
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_NE(unknown.err.find("winter, spring"), std::string::npos) << unknown.err;
+    const Outcome list = draw(model.bytes(false), "--list");
+    EXPECT_EQ(list.code, 0) << list.err;
+    for (const char* line : {"camera 0: ", "variant 1: spring\n", "material 0: grass\n", "node 0: meadow, 2 triangles\n"})
+        EXPECT_NE(list.out.find(line), std::string::npos) << line << list.out;
+}
+
 TEST_F(ViewerModels, TransparentBacksComeBeforeFronts) {
     Model model;
     const int material = model.unlit({1, 1, 1, 0.5});

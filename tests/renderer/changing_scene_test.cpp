@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// What a scene that changes all the time costs: allocations, compiles, and memory that stays.
+#include "allocation_count.h"
+#include "franken/renderer.h"
+#include "support/gl_recorder.h"
+#include "support/null_gl.h"
+#include "support/shapes.h"
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include <cmath>
+
+namespace franken::test {
+namespace {
+
+/// Two variants, an opaque and a blended ball, textured.
+Scene balls() {
+    SceneBuilder builder;
+    Material plain, glass, night;
+    plain.baseColorTexture.texture = builder.addTexture(checkers(16, 4, glm::vec4(1), glm::vec4(0.5f)));
+    glass.alphaMode = AlphaMode::Blend;
+    night.emissive = {1, 0.5f, 0.2f};
+    builder.add(sphere(4), builder.addMaterial(plain));
+    builder.add(sphere(4), builder.addMaterial(glass), glm::translate(glm::mat4(1), {1, 0, 0}));
+    builder.scene.variants = {"night"};
+    builder.scene.meshes[0].primitives[0].variantMaterials = {builder.addMaterial(night)};
+    return builder.scene;
+}
+
+Lighting skyLight() {
+    Lighting lighting;
+    lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3, .ofSky = true}};
+    lighting.ambient = Ambient::Sky;
+    return lighting;
+}
+
+Viewpoint viewpoint(int frame) {
+    Camera camera;
+    camera.world[3] = glm::dvec4(0, 0, 8 + 0.01 * frame, 1);
+    return viewpointOf(camera, 1);
+}
+
+constexpr DrawTarget kTarget{.width = 64, .height = 64};
+
+/// A renderer of a model at three places, and all that changes in a frame without another program.
+struct Changing {
+    explicit Changing(const Gl& gl) : renderer(gl) {
+        renderer.setLighting(lighting);
+        model = *renderer.add(balls(), [] { return Result<Scene>(balls()); });
+        places = {*renderer.firstPlace(model), *renderer.addPlace(model), *renderer.addPlace(model)};
+        EXPECT_TRUE(renderer.show({{model}}));
+        material = *renderer.materialOf(model, 0);
+    }
+
+    Result<void> draw(int frame) {
+        const double angle = 0.01 * frame;
+        const glm::dmat4 world = glm::rotate(glm::dmat4(1), angle, glm::dvec3(0, 1, 0));
+        material.baseColor.r = 0.5f + 0.4f * static_cast<float>(std::sin(angle));
+        lighting.skyRotation = glm::angleAxis(angle, glm::dvec3(0, 1, 0));
+        renderer.setLighting(lighting);
+        FirstOf first;
+        first.add(renderer.setWorld(places[0], world));
+        first.add(renderer.setVisible(places[1], frame % 3 != 0));
+        first.add(renderer.setMaterial(model, 0, material));
+        first.add(renderer.draw(viewpoint(frame), kTarget));
+        return first.result;
+    }
+
+    struct FirstOf {
+        Result<void> result;
+        void add(const Result<void>& next) {
+            if (result && !next)
+                result = next;
+        }
+    };
+
+    Renderer renderer;
+    Lighting lighting = skyLight();
+    ModelId model{};
+    std::vector<PlaceId> places;
+    Material material;
+};
+
+TEST(ChangingScene, AFrameAllocatesNothingAndCompilesNothing) {
+    Changing scene(recordingGl(nullGl()));
+    for (int frame = 0; frame < 6; ++frame)
+        ASSERT_TRUE(scene.draw(frame));
+    const unsigned compiles = scene.renderer.programCounters().compiles;
+    recordedCalls().clear();
+    for (int frame = 6; frame < 1006; ++frame)
+        ASSERT_TRUE(scene.draw(frame));
+    EXPECT_EQ(scene.renderer.programCounters().compiles, compiles);
+    EXPECT_EQ(countCalls("CompileShader") + countCalls("LinkProgram"), 0u);
+    EXPECT_EQ(countCalls("BufferData") + countCalls("TexImage2D"), 0u);
+
+    Changing quiet(nullGl()); // The recorder allocates.
+    for (int frame = 0; frame < 6; ++frame)
+        ASSERT_TRUE(quiet.draw(frame));
+    const std::size_t before = allocationCount();
+    bool drawn = true;
+    for (int frame = 6; frame < 1006; ++frame)
+        drawn = static_cast<bool>(quiet.draw(frame)) && drawn;
+    const std::size_t after = allocationCount();
+    EXPECT_TRUE(drawn);
+    EXPECT_EQ(after - before, 0u);
+}
+
+/// One round of all that comes and goes.
+void churn(Renderer& renderer, const Scene& scene, int round) {
+    const Result<ModelId> model = renderer.add(scene, [&] { return Result<Scene>(scene); });
+    ASSERT_TRUE(model);
+    const Result<PlaceId> place = renderer.addPlace(*model, glm::translate(glm::dmat4(1), {1, 0, 0}));
+    ASSERT_TRUE(place && renderer.show({{*model}}) && renderer.setVariant(*place, "night"));
+    ASSERT_TRUE(renderer.setTexture(*model, 0, checkers(8, 2, glm::vec4(1), glm::vec4(0))));
+    ASSERT_TRUE(renderer.setMaterial(*model, 1, *renderer.materialOf(*model, 1)));
+    if (round % 100 == 0) {
+        renderer.contextLost();
+        ASSERT_TRUE(renderer.restore(nullGl()));
+    }
+    ASSERT_TRUE(renderer.draw(viewpoint(round), kTarget));
+    ASSERT_TRUE(renderer.setVariant(*model, ""));
+    renderer.removePlace(*place);
+    ASSERT_TRUE(renderer.draw(viewpoint(round), kTarget));
+    renderer.remove(*model);
+}
+
+TEST(ChangingScene, MemoryIsFlatOverTenThousandRounds) {
+    Renderer renderer(nullGl());
+    renderer.setLighting(skyLight());
+    const Scene scene = balls();
+    const auto heap = [] { return mallinfo2().uordblks; };
+    for (int round = 0; round < 500; ++round)
+        churn(renderer, scene, round);
+    renderer.takeMisses();
+    const std::size_t before = heap();
+    for (int round = 0; round < 10'000; ++round)
+        churn(renderer, scene, round);
+    renderer.takeMisses();
+    EXPECT_EQ(renderer.memory().used(), 0u);
+    EXPECT_LE(heap(), before + 16 * 1024) << "less than two bytes a round";
+}
+
+} // namespace
+} // namespace franken::test
