@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // code_blocks PAGE.md OUT_DIR: writes each C++ block of the page to OUT_DIR/HEADING.inc, for a test that
-// includes it. HEADING is the heading above the block, in lower case with dashes ("a-sky"); a second block under
-// one heading gets "-2". Compilers then name the page and its line in their messages.
+// includes it, and each block of command lines to OUT_DIR/HEADING.sh, for a test that runs it. HEADING is the
+// heading above the block, in lower case with dashes ("a-sky"); a second block of a language under one
+// heading gets "-2". Compilers name the page and its line in their messages.
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -22,27 +23,35 @@ std::string slugOf(const std::string& heading) {
     return slug;
 }
 
+/// The file of a block in that language; empty for other languages.
+std::string fileOf(const std::string& fence, const std::string& heading, int number) {
+    const std::string name = slugOf(heading) + (number > 1 ? "-" + std::to_string(number) : "");
+    if (fence == "```cpp")
+        return name + ".inc";
+    return fence == "```sh" ? name + ".sh" : "";
+}
+
 /// How many blocks were written.
 int writeBlocks(const fs::path& page, const fs::path& folder) {
     std::ifstream in(page);
     std::ofstream block;
     std::string heading;
-    std::map<std::string, int> under;
+    std::map<std::string, int> under; // Blocks by language and heading.
     int line = 0, written = 0;
     bool inCode = false;
     for (std::string text; std::getline(in, text);) {
         ++line;
         if (text.starts_with("```")) {
-            if (!inCode && text == "```cpp") {
-                const int number = ++under[heading];
-                const std::string name = slugOf(heading) + (number > 1 ? "-" + std::to_string(number) : "");
-                block.open(folder / (name + ".inc"));
-                block << "#line " << line + 1 << " \"" << page.string() << "\"\n";
-                ++written;
-            } else if (block.is_open()) {
-                block.close();
-            }
             inCode = !inCode;
+            block.close();
+            const std::string file = inCode ? fileOf(text, heading, under[text + heading] + 1) : "";
+            if (file.empty())
+                continue;
+            ++under[text + heading];
+            ++written;
+            block.open(folder / file);
+            if (file.ends_with(".inc"))
+                block << "#line " << line + 1 << " \"" << page.string() << "\"\n";
         } else if (block.is_open()) {
             block << text << "\n";
         } else if (!inCode && text.starts_with("#")) {
