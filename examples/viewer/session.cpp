@@ -48,7 +48,7 @@ std::optional<Failure> Session::readManifest() {
     if (!listed && (listed.error().code == "manifest.line" || listed.error().code == "manifest.size"))
         return Failure{listed.error(), ExitCode::Refused};
     if (!listed)
-        m_log(LogLevel::Warning, "nothing is warmed up from the manifest: " + toString(listed.error()));
+        m_log(LogLevel::Warning, "the manifest is not used for the warm-up: " + toString(listed.error()));
     m_listed = listed ? *std::move(listed) : std::vector<ProgramUse>();
     return {};
 }
@@ -66,7 +66,7 @@ std::optional<Failure> Session::readSky() {
     m_sky = std::make_shared<const BakedSky>(*std::move(sky));
     m_skyTimes = std::move(times);
     if (m_options.skySun && !m_sky->sun)
-        m_log(LogLevel::Warning, "the sky has no sun that could be taken out, or was baked with it");
+        m_log(LogLevel::Warning, "the sky has no sun that could be taken out, or was baked without --sun");
     return {};
 }
 

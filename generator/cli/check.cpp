@@ -14,8 +14,8 @@ namespace {
 void checkBudget(const Program& program, const Profile& profile, std::vector<Finding>& findings) {
     for (const Excess& excess : budgetFor(program, profile).excesses)
         findings.push_back({program.name, "budget", std::string(profile.name),
-                            std::string(toText(excess.use.resource)) + ": " + std::to_string(excess.use.used) +
-                                " of " + std::to_string(excess.use.limit),
+                            std::string(toText(excess.use.resource)) + ": " +
+                                std::to_string(excess.use.used) + " of " + std::to_string(excess.use.limit),
                             adviceFor(excess)});
 }
 
@@ -88,7 +88,7 @@ ExitCode run(const CheckOptions& options, Console& console) {
     if (!glslang)
         return console.error(glslang.error()), ExitCode::Device;
     if (!*glslang)
-        console.note("glslangValidator is not installed: it was not asked (Debian: glslang-tools)");
+        console.note("glslangValidator is not installed, so its check was skipped (Debian: glslang-tools)");
     const auto findings = checkAll(*permutations, profilesOf(options.selection.profiles), *glslang, console);
     console.endProgress();
     if (!findings)

@@ -94,7 +94,7 @@ Result<void> writeFolder(const fs::path& directory, const Permutations& permutat
     fs::create_directories(directory, failed);
     if (failed)
         return Error{"file.write", directory.string(), "the folder cannot be made: " + failed.message(),
-                     "name a folder that can be written to"};
+                     "choose a folder with write permission"};
     // Renamed into its place last, so that a folder with a manifest is a complete one.
     return writeDocument(DumpJson(Texts::InFiles), (directory / "manifest.json").string(), permutations,
                          console,
@@ -145,7 +145,8 @@ ExitCode run(const DumpOptions& options, Console& console) {
     if (!permutations)
         return ExitCode::Refused;
     if (options.chosen() == DumpFormat::Text && permutations->size() != 1) {
-        console.error({"dump.several", "", std::to_string(permutations->size()) + " programs are no one text",
+        console.error({"dump.several", "",
+                       std::to_string(permutations->size()) + " programs do not fit into one text",
                        "write them to a directory with -o DIR, or use --format json or c"});
         return ExitCode::Usage;
     }

@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 constexpr char kProgram[] = "glslangValidator";
 
 Error cannotRun(const std::string& reason) {
-    return {"glslang.run", kProgram, "cannot be run: " + reason, "see that TMPDIR can be written to"};
+    return {"glslang.run", kProgram, "cannot be run: " + reason,
+            "set TMPDIR to a folder with write permission"};
 }
 
 bool write(const fs::path& path, std::string_view text) {

@@ -30,8 +30,8 @@ Result<void> readAll(int descriptor, Manifest& manifest) {
             return {};
         manifest.text.append(block.data(), static_cast<std::size_t>(count));
         if (manifest.text.size() > kMaxListBytes)
-            return Error{"manifest.size", manifest.file, "this is no list of names: it is larger than 4 MiB",
-                         kNameAList};
+            return Error{"manifest.size", manifest.file,
+                         "the file is larger than 4 MiB, and so not a list of names", kNameAList};
     }
 }
 

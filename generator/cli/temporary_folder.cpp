@@ -25,7 +25,7 @@ Result<TemporaryFolder> TemporaryFolder::make() {
     std::string pattern = (fs::temp_directory_path(failed) / "frankenshader.XXXXXX").string();
     if (failed || !mkdtemp(pattern.data()))
         return Error{"temporary.folder", "TMPDIR", failed ? failed.message() : std::strerror(errno),
-                     "see that TMPDIR can be written to"};
+                     "set TMPDIR to a folder with write permission"};
     return TemporaryFolder(pattern);
 }
 

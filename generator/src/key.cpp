@@ -85,8 +85,8 @@ Result<Key> parseHex(std::string_view hex) {
     Key key;
     if (high.size() > kDigits || !readWord(low, key.words[0]) ||
         (!high.empty() && !readWord(high, key.words[1])))
-        return Error{"permutation.key", std::string(hex), "this is no key",
-                     "give one as 'frankenshader list --json' prints it"};
+        return Error{"permutation.key", std::string(hex), "this is not a key",
+                     "copy a key from 'frankenshader list --json'"};
     return key;
 }
 

@@ -53,14 +53,14 @@ std::string endLine(std::size_t count, std::uint32_t crc) {
 /// That a text which we wrote is whole and of this version.
 Result<void> checkWhole(std::string_view text, std::size_t count, const std::string& file) {
     if (text.find('\n') == std::string_view::npos)
-        return Error{"manifest.damaged", file, "it was cut", "delete it: it is written anew"};
+        return Error{"manifest.damaged", file, "it was cut", "delete it; it will be written again"};
     if (!text.starts_with(heading()))
         return Error{"manifest.schema", file, "another version of the library wrote it",
-                     "delete it: it is written anew"};
+                     "delete it; it will be written again"};
     const std::size_t end = text.rfind("# end ");
     if (end == std::string_view::npos || text.substr(end) != endLine(count, crc32(text.substr(0, end))))
         return Error{"manifest.damaged", file, "it was cut, or changed after it was written",
-                     "delete it: it is written anew"};
+                     "delete it; it will be written again"};
     return {};
 }
 
@@ -114,7 +114,7 @@ Result<ManifestLines> parseManifestLines(std::string_view text, const std::strin
         if (Result<void> whole = checkWhole(text, result.lines.size(), name); !whole)
             return whole.error();
     } else if (result.lines.empty()) {
-        return Error{"manifest.empty", name, "it lists no program", "list names, one a line"};
+        return Error{"manifest.empty", name, "it lists no program", "write one program name per line"};
     }
     return result;
 }

@@ -58,7 +58,7 @@ Result<void> checkInterface(const Snippet& snippet, std::uint8_t row) {
             known->second.block != declaration.block)
             return Error{"snippet.interface", toString(LineOrigin{snippet.name, declaration.line}),
                          "'" + name + "' is not declared so in any snippet of this build",
-                         "give it a place in pack.h or texture_role.h, and build"};
+                         "add it to pack.h or texture_role.h, and build again"};
     }
     return {};
 }

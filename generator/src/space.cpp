@@ -27,7 +27,7 @@ Result<void> Space::narrow(std::string_view word, bool present) {
                 if (m_allowed[i] == 0)
                     return Error{"space.empty", std::string(word),
                                  "no value is left for " + std::string(choices()[i].name),
-                                 "drop one of the words that decide it"};
+                                 "remove one of the words for this choice"};
                 return {};
             }
     return Error{"space.word", std::string(word), "more than one word", "give one word at a time"};

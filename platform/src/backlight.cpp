@@ -39,12 +39,12 @@ Result<Backlight> Backlight::find(const std::string& name, const std::string& fo
 
 Result<void> Backlight::setBrightness(double brightness) {
     if (!(brightness >= 0 && brightness <= 1))
-        return Error{"backlight.range", m_name, "a brightness is between 0 and 1", ""};
+        return Error{"backlight.range", m_name, "the brightness must be between 0 and 1", ""};
     std::ofstream file(m_folder + "/brightness");
     file << std::lround(brightness * m_most) << '\n' << std::flush;
     if (!file)
         return Error{"backlight.write", m_folder + "/brightness", "it cannot be written",
-                     "let a udev rule give it to the group video"};
+                     "give the group video write permission by a udev rule"};
     return {};
 }
 

@@ -26,7 +26,7 @@ private:
 };
 
 Error failed(const char* call, int error) {
-    return Error{"cec.driver", call, std::strerror(-error), "is CEC switched on in the television set?"};
+    return Error{"cec.driver", call, std::strerror(-error), "switch CEC on in the television set's menu"};
 }
 
 } // namespace
@@ -70,7 +70,7 @@ Result<void> Cec::send(int from, int to, std::initializer_list<unsigned char> me
         out.msg[out.len++] = byte;
     const int error = m_calls->call(CEC_TRANSMIT, &out);
     if (error == -ENETDOWN || error == -ENONET)
-        return Error{"cec.no-screen", "CEC_TRANSMIT", "no screen says which address it gives",
+        return Error{"cec.no-screen", "CEC_TRANSMIT", "no connected screen reports a CEC address",
                      "plug in the television set"};
     return error == 0 ? Result<void>() : failed("CEC_TRANSMIT", error);
 }

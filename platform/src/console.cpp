@@ -82,7 +82,7 @@ Result<std::unique_ptr<Console>> Console::open(const std::string& path) {
 
 Result<std::unique_ptr<Console>> Console::open(std::unique_ptr<ConsoleCalls> calls) {
     if (current != nullptr)
-        return Error{"console.busy", "", "this process has its console already", "destroy it first"};
+        return Error{"console.busy", "", "this process has a Console already", "destroy that one first"};
     std::unique_ptr<Console> console(new Console(std::move(calls)));
     if (Result<void> taken = console->take(); !taken)
         return taken.error();

@@ -174,8 +174,8 @@ Result<std::unique_ptr<Input>> Input::open(const InputOptions& options) {
         state->context.reset(
             libinput_udev_create_context(&kInterface, &state->options, state->devices.get()));
     if (!state->context || libinput_udev_assign_seat(state->context.get(), options.seat.c_str()) != 0)
-        return Error{"input.driver", options.seat, "the seat's devices cannot be had",
-                     "does systemd-udevd run?"};
+        return Error{"input.driver", options.seat, "the seat's devices cannot be opened",
+                     "check that systemd-udevd runs"};
     state->takeAll(); // Devices are set up before their first touch is read.
     return std::unique_ptr<Input>(new Input(std::move(state)));
 }

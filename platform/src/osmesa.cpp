@@ -98,7 +98,7 @@ Result<void> OsMesaSurface::open() {
         return ready;
     const auto enable = reinterpret_cast<decltype(&::glEnable)>(m_library.getProcAddress("glEnable"));
     if (enable == nullptr)
-        return Error{"surface.driver", "OSMesaGetProcAddress", "the library hands out no GL functions",
+        return Error{"surface.driver", "OSMesaGetProcAddress", "the library provides no GL functions",
                      kInstall};
     // Off at first in desktop GL, always on in a GLES context of Mesa (seamless cube maps: of 3.0 and up).
     enable(GL_POINT_SPRITE);

@@ -70,7 +70,7 @@ protected:
 private:
     Error failed(const char* call) const {
         return Error{"surface.driver", call, m_sdl.GetError(),
-                     "is there a desktop (DISPLAY, WAYLAND_DISPLAY)?"};
+                     "start it on a desktop (DISPLAY or WAYLAND_DISPLAY must be set)"};
     }
     bool createWindow(const SurfaceOptions& options, int samples);
 

@@ -44,7 +44,8 @@ Result<void> ServiceManager::send(const std::string& message) const {
     sockaddr_un address = {};
     address.sun_family = AF_UNIX;
     if (m_socket.size() >= sizeof address.sun_path || (m_socket[0] != '/' && m_socket[0] != '@'))
-        return Error{"service.socket", m_socket, "NOTIFY_SOCKET names no socket", "unset it"};
+        return Error{"service.socket", m_socket, "NOTIFY_SOCKET is not the path of a socket",
+                     "unset NOTIFY_SOCKET"};
     std::memcpy(address.sun_path, m_socket.data(), m_socket.size());
     if (m_socket[0] == '@') // An abstract name begins with a zero.
         address.sun_path[0] = '\0';
@@ -52,7 +53,8 @@ Result<void> ServiceManager::send(const std::string& message) const {
     const auto length = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + m_socket.size());
     if (sendto(socket.get(), message.data(), message.size(), MSG_NOSIGNAL,
                reinterpret_cast<const sockaddr*>(&address), length) < 0)
-        return Error{"service.socket", m_socket, std::strerror(errno), "does the service manager listen?"};
+        return Error{"service.socket", m_socket, std::strerror(errno),
+                     "check that the service manager listens"};
     return {};
 }
 

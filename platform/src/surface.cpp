@@ -31,14 +31,14 @@ Result<void> check(const SurfaceOptions& options) {
     const auto [width, height] = options.size;
     if (!inRange(width) || !inRange(height))
         return Error{"surface.options", std::to_string(width) + "x" + std::to_string(height),
-                     "a surface of that size cannot be made",
+                     "the size of the surface is out of range",
                      "choose a width and height of 1 to " + std::to_string(kMaxSurfaceSize) + " pixels"};
     if (options.depthBits < 0 || options.depthBits > 32)
         return Error{"surface.options", std::to_string(options.depthBits) + " bits",
-                     "a depth buffer of that depth cannot be made", "choose 0 to 32 bits"};
+                     "the depth of the depth buffer is out of range", "choose 0 to 32 bits"};
     if (options.samples < 0 || options.samples > kMaxSamples)
         return Error{"surface.options", std::to_string(options.samples) + " samples",
-                     "a target with so many samples cannot be made",
+                     "the number of samples is out of range",
                      "choose 0 to " + std::to_string(kMaxSamples) + " samples"};
     return {};
 }

@@ -35,7 +35,7 @@ TEST_F(CliMistakes, OffersWhatWasProbablyMeant) {
              {"dump basecolour+sun1", "did you mean 'basecolor'?", 3},
              {"dump qqqqqqqq", "list --words", 3},
              {"dump 0x12", "schema", 3},
-             {"dump 0xnothing", "this is no key", 3},
+             {"dump 0xnothing", "this is not a key", 3},
              {"diff sun1", "2 required"},
              {"diff", "--against"},
              {"dump sun1 --format files", "-o DIR"},
@@ -89,7 +89,8 @@ TEST_F(CliMistakes, NothingToDoIsNotSuccess) {
 }
 
 TEST_F(CliMistakes, NothingSteersTheTerminal) {
-    const std::string steering = "a\x1b[31m\x9b\xc2\x9b" "31m\xe2\x80\xae";
+    const std::string steering = "a\x1b[31m\x9b\xc2\x9b"
+                                 "31m\xe2\x80\xae";
     const auto isClean = [](const std::string& text) {
         for (const char* bad : {"\x1b", "\x9b", "\xc2\x9b", "\xe2\x80\xae", "\r", "\x07"})
             if (text.find(bad) != std::string::npos)
@@ -99,11 +100,11 @@ TEST_F(CliMistakes, NothingSteersTheTerminal) {
     writeManifest(steering + "\n" + steering + "=\x07\nsun1 wrap0=" + steering + "\nnromal\r\x1b[2J\n");
     const std::string quoted = "'" + steering + "'";
     for (const std::string& arguments : std::vector<std::string>{
-         "dump " + quoted, "dump 'sun1\nfrankenshader: error: forged'", "list --with " + quoted,
-          "list --where " + quoted, "list --manifest warm.txt", "list --manifest " + quoted, quoted,
-          "list --" + quoted, "list --limit " + quoted, "check sun1 --profile " + quoted, "help " + quoted,
-          "dump sun1 -o warm.txt/" + quoted, "diff --against " + quoted, "dump 0x" + quoted,
-          "explain --json " + quoted}) {
+             "dump " + quoted, "dump 'sun1\nfrankenshader: error: forged'", "list --with " + quoted,
+             "list --where " + quoted, "list --manifest warm.txt", "list --manifest " + quoted, quoted,
+             "list --" + quoted, "list --limit " + quoted, "check sun1 --profile " + quoted, "help " + quoted,
+             "dump sun1 -o warm.txt/" + quoted, "diff --against " + quoted, "dump 0x" + quoted,
+             "explain --json " + quoted}) {
         const Outcome outcome = run(arguments);
         EXPECT_GE(outcome.code, 2) << arguments;
         EXPECT_TRUE(isClean(outcome.err)) << outcome.err;
@@ -157,7 +158,8 @@ TEST_F(CliMistakes, ReadsNoMoreThanAListOfNamesHas) {
     memoryOf("list --manifest - <warm.txt");
     if (shell("mknod zero c 1 5 && head -c 1 zero >/dev/null").code == 0)
         memoryOf("list --manifest zero");
-    EXPECT_EQ(shell("printf 'sun1\\n' | " + std::string(kProgram) + " list --manifest /dev/stdin").out, "sun1\n");
+    EXPECT_EQ(shell("printf 'sun1\\n' | " + std::string(kProgram) + " list --manifest /dev/stdin").out,
+              "sun1\n");
 }
 
 } // namespace

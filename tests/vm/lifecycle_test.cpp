@@ -197,7 +197,7 @@ struct Ladder {
 };
 
 TEST_F(Harmed, FaultsOfTheGpuEndInTheProcessExit) {
-    const Ladder ladders[] = {{"lose", 11s, "flips are not answered"},
+    const Ladder ladders[] = {{"lose", 11s, "the driver does not answer page flips"},
                               {"canary", 2s, "the GPU does not draw what it is told to"}};
     for (const auto& [harm, atMost, lastWords] : ladders) {
         SCOPED_TRACE(harm);

@@ -69,7 +69,7 @@ private:
 
     void expect(bool holds, const std::string& where, const char* member, const char* what) {
         if (!holds && m_fault)
-            m_fault = Error{"scene.data", where + member, what, "scene.h says what each member may hold"};
+            m_fault = Error{"scene.data", where + member, what, "see scene.h for the values of each member"};
     }
 
     void add(const Image& image, const std::string& where) {

@@ -43,7 +43,7 @@ Result<std::vector<std::uint8_t>> readOpen(int file, const fs::path& path, std::
     if (fstat(file, &status) != 0)
         return openError(path, std::strerror(errno));
     if (!S_ISREG(status.st_mode))
-        return openError(path, "it is no regular file");
+        return openError(path, "it is not a regular file");
     const auto size = static_cast<std::uintmax_t>(status.st_size);
     if (size > maxBytes)
         return sizeError(path, size, maxBytes);
@@ -83,7 +83,7 @@ Result<std::optional<std::vector<std::uint8_t>>> readFileIfThere(const fs::path&
 }
 
 Result<fs::path> findBelow(const fs::path& folder, const fs::path& name) {
-    const Error outside{"file.outside", name.string(), "the name leads out of the model's folder",
+    const Error outside{"file.outside", name.string(), "the path leads out of the model's folder",
                         "put the file next to the model, and name it relative to that"};
     if (name.empty() || name.is_absolute() || std::find(name.begin(), name.end(), "..") != name.end())
         return outside;

@@ -235,9 +235,9 @@ Result<void> checkNotInput(const fs::path& output, std::span<const fs::path> inp
                             fs::equivalent(input, folder, ignored);
         if (same || inside)
             return Error{"file.overwrite", output.string(),
-                         "it would be written over " + std::string(inside ? "a file of " : "") +
-                             input.string() + ", which is read",
-                         "name another file to write to"};
+                         "the output would overwrite " + std::string(inside ? "a file of " : "") +
+                             input.string() + ", which is an input",
+                         "choose another output file"};
     }
     return {};
 }
@@ -262,7 +262,7 @@ Result<FileLock> FileLock::take(const fs::path& file) {
     const auto failed = [&](int error) {
         return Error{"file.lock", file.string(),
                      std::string("cannot be locked: ") +
-                         (error == EWOULDBLOCK ? "another process keeps it" : std::strerror(error)),
+                         (error == EWOULDBLOCK ? "another process holds the lock" : std::strerror(error)),
                      error == EWOULDBLOCK ? "wait for the other process" : remedyFor(error)};
     };
     const fs::path folder = folderOf(placeOf(file).value_or(file));

@@ -34,7 +34,7 @@ Result<void> checkErrors(const Gl& gl) {
         }
         if (outOfMemory)
             return Error{"renderer.memory", "", "the GPU's memory does not suffice",
-                         "use smaller textures, or raise the memory that the GPU gets"};
+                         "use smaller textures, or reserve more memory for the GPU"};
         return {};
     }
     return contextLost();

@@ -63,7 +63,8 @@ Result<ProgramUse> readLine(const ManifestLine& line, const std::string& file) {
     for (std::string_view rest = line.state; !rest.empty();) {
         const std::string_view word = rest.substr(0, rest.find_first_of(" \t"));
         if (!readState(word, use.state))
-            return refuse({"", "", "'" + std::string(word) + "' is no state", "write wrap0=rc, blend=on"});
+            return refuse({"", "", "'" + std::string(word) + "' is not a state",
+                           "states are written like wrap0=rc or blend=on"});
         rest.remove_prefix(word.size());
         rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
     }
@@ -85,7 +86,7 @@ std::string toManifest(std::span<const ProgramUse> uses) {
 
 Result<std::vector<ProgramUse>> parseManifest(std::string_view text, const std::string& name) {
     if (text.size() > kMaxManifestBytes)
-        return Error{"manifest.size", name, "it is larger than 1 MiB", "keep what is needed"};
+        return Error{"manifest.size", name, "it is larger than 1 MiB", "remove programs that are not needed"};
     const Result<ManifestLines> parsed = parseManifestLines(text, name);
     if (!parsed)
         return parsed.error();
@@ -95,7 +96,7 @@ Result<std::vector<ProgramUse>> parseManifest(std::string_view text, const std::
         // A whole text of ours with a word that we do not know: by a version that had other words.
         if (!use && parsed->byUs)
             return Error{"manifest.schema", use.error().where, use.error().what,
-                         "delete it: it is written anew"};
+                         "delete it; it will be written again"};
         if (!use)
             return use.error();
         uses.push_back(*use);

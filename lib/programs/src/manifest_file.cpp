@@ -66,7 +66,7 @@ Result<Existing> look(const fs::path& file) {
 Result<void> write(const fs::path& file, const std::string& text) {
     if (text.size() > kMaxManifestBytes)
         return Error{"manifest.size", file.string(), "it would be larger than 1 MiB",
-                     "delete it: it is written anew"};
+                     "delete it; it will be written again"};
     if (const Result<void> written = writeFile(file, text); !written)
         return writeError(written.error());
     return {};
@@ -86,10 +86,11 @@ std::vector<ProgramUse> missingIn(const std::vector<ProgramUse>& known, std::spa
 Result<std::vector<ProgramUse>> readManifest(const fs::path& file) {
     const Result<std::vector<std::uint8_t>> bytes = readFile(file, kMaxManifestBytes);
     if (!bytes && bytes.error().code == "file.size")
-        return Error{"manifest.size", file.string(), bytes.error().what, "keep what is needed"};
+        return Error{"manifest.size", file.string(), bytes.error().what,
+                     "remove programs that are not needed"};
     if (!bytes)
         return Error{"manifest.read", file.string(), bytes.error().what,
-                     "nothing, at a first start: it is written when something was missing"};
+                     "nothing at a first start: it is written after the first program that was missing"};
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     return parseManifest(text, file.string());
 }
@@ -99,7 +100,7 @@ std::vector<ProgramUse> readManifestOrNothing(const fs::path& file, const Log& l
     if (uses)
         return *std::move(uses);
     if (log)
-        log(LogLevel::Warning, "nothing is warmed up from the manifest: " + toString(uses.error()));
+        log(LogLevel::Warning, "the manifest is not used for the warm-up: " + toString(uses.error()));
     return {};
 }
 

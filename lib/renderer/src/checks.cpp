@@ -58,7 +58,7 @@ Result<void> checkRules(const char* code, std::optional<Element> element, std::i
     for (const Rule& rule : rules)
         if (!rule.holds)
             return Error{code, (element ? element->text() : "") + rule.where, rule.what,
-                         "nothing was changed or drawn: pass another value"};
+                         "pass another value; nothing was changed or drawn"};
     return {};
 }
 
@@ -152,10 +152,9 @@ Result<void> check(const Image& image) {
     if (hasSize && image.rgba.size() / 4 == pixels && image.rgba.size() % 4 == 0)
         return {};
     return Error{"renderer.image", image.name,
-                 hasSize
-                     ? "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
-                           " has " + std::to_string(image.rgba.size()) + " bytes, and not four for each pixel"
-                     : "an image has no pixels",
+                 hasSize ? "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
+                               " has " + std::to_string(image.rgba.size()) + " bytes, not four per pixel"
+                         : "an image has no pixels",
                  "fill in width, height, and width * height * 4 bytes"};
 }
 

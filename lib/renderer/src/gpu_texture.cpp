@@ -103,7 +103,7 @@ Result<GpuTexture> uploadTexture(Device& device, const Image& image, const Textu
     if (device.log && std::max(image.width, image.height) > device.capabilities.maxTextureSize)
         device.log(LogLevel::Warning, "image \"" + image.name + "\" is scaled down to " +
                                           std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                          ": the GPU takes no more");
+                                          ", the GPU's limit");
     GlTexture name(gl, generate(gl.GenTextures));
     if (!name)
         return noObject("texture");

@@ -36,8 +36,8 @@ Result<void> Models::upload(Model& model, const Scene& scene) {
         if (static_cast<std::size_t>(index) < model.outline.scene.materials.size() &&
             check(model.outline.scene, material))
             model.outline.scene.materials[static_cast<std::size_t>(index)] = material;
-    Result<GpuScene> gpu = checkedUpload(
-        m_device, [&] { return franken::upload(m_device, scene, model.outline, *m_defaults); });
+    Result<GpuScene> gpu =
+        checkedUpload(m_device, [&] { return franken::upload(m_device, scene, model.outline, *m_defaults); });
     if (!gpu)
         return gpu.error();
     model.gpu = *std::move(gpu);
@@ -52,7 +52,7 @@ Result<void> Models::makeResident(Model& model) {
         return {};
     if (!model.source)
         return Error{"renderer.no-source", "", "the context of a model was lost, and it has no source",
-                     "hand add() a source that reads the model again"};
+                     "pass add() a source that loads the model again"};
     const Result<Scene> scene = guarded("the source of a model", model.source);
     return scene ? upload(model, *scene) : scene.error();
 }

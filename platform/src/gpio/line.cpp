@@ -45,9 +45,10 @@ Result<GpioChip> findChip(const GpioPin& pin) {
                          "the chip has " + std::to_string(chip->lines) + " lines, counted from 0",
                          "correct the pin's number"};
         }
-    return Error{"gpio.missing", describe(pin),
-                 pin.chip.empty() ? "no chip is that of a Raspberry Pi's header" : "there is no such chip",
-                 "gpioinfo lists chips and lines; name the chip's label; put the user into the group gpio"};
+    return Error{
+        "gpio.missing", describe(pin),
+        pin.chip.empty() ? "the chip of a Raspberry Pi's header was not found" : "there is no such chip",
+        "list chips and lines with gpioinfo and give the chip's label, or put the user into the group gpio"};
 }
 
 Result<std::unique_ptr<GpioLine>> openLine(const GpioPin& pin, GpioSettings settings) {
@@ -61,8 +62,8 @@ Result<std::unique_ptr<GpioLine>> openLine(const GpioPin& pin, GpioSettings sett
         return line;
     if (errno == EBUSY)
         return Error{"gpio.busy", describe(pin), "another program or a driver holds the line",
-                     "gpioinfo says who; end it, or take the overlay out of config.txt"};
-    return Error{"gpio.driver", describe(pin), std::strerror(errno), "does the chip have that pull?"};
+                     "find its name with gpioinfo; end it, or remove the overlay from config.txt"};
+    return Error{"gpio.driver", describe(pin), std::strerror(errno), "check that the chip supports the pull"};
 }
 
 } // namespace franken::platform

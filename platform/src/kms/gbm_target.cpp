@@ -52,7 +52,7 @@ GbmTarget::~GbmTarget() {
 Result<void> GbmTarget::openContext() {
     m_gbm = gbm_create_device(m_device.descriptor());
     if (m_gbm == nullptr)
-        return Error{"surface.driver", "gbm_create_device", "no driver of Mesa's takes " + m_device.node(),
+        return Error{"surface.driver", "gbm_create_device", "Mesa has no driver for " + m_device.node(),
                      kInstallEgl};
     m_display = eglGetPlatformDisplay(EGL_PLATFORM_GBM_KHR, m_gbm, nullptr);
     if (m_display == EGL_NO_DISPLAY)
@@ -82,8 +82,8 @@ Result<EGLConfig> GbmTarget::chooseConfig(std::uint32_t fourcc, int samples) con
             static_cast<std::uint32_t>(visual) == fourcc)
             return config;
     }
-    return Error{"surface.driver", "eglChooseConfig", "the driver draws to no buffer of the screen's format",
-                 "choose another format"};
+    return Error{"surface.driver", "eglChooseConfig",
+                 "the driver cannot draw to buffers of the screen's format", "choose another format"};
 }
 
 int GbmTarget::tryBuffer(Size size, const FormatChoice& format, KmsBuffer& buffer) {
@@ -121,7 +121,7 @@ Result<void> GbmTarget::makeTarget(const KmsBuffer& like, PixelFormat) {
             ? gbm_surface_create(m_gbm, width, height, like.format, kUse)
             : gbm_surface_create_with_modifiers2(m_gbm, width, height, like.format, &like.modifier, 1, kUse);
     if (m_surface == nullptr)
-        return Error{"surface.driver", "gbm_surface_create", "the driver makes no such buffers",
+        return Error{"surface.driver", "gbm_surface_create", "the driver cannot create the screen's buffers",
                      "choose a smaller mode"};
     m_window = eglCreatePlatformWindowSurface(m_display, *config, m_surface, nullptr);
     if (m_window == EGL_NO_SURFACE)
@@ -154,7 +154,7 @@ Result<std::uint32_t> GbmTarget::swap() {
         return swapped.error();
     gbm_bo* buffer = gbm_surface_lock_front_buffer(m_surface);
     if (buffer == nullptr)
-        return Error{"surface.driver", "gbm_surface_lock_front_buffer", "the driver hands out no buffer",
+        return Error{"surface.driver", "gbm_surface_lock_front_buffer", "the driver returned no buffer",
                      "make a new surface"};
     Result<std::uint32_t> framebuffer = framebufferOf(buffer);
     if (framebuffer)
@@ -170,7 +170,7 @@ Result<std::uint32_t> GbmTarget::framebufferOf(gbm_bo* buffer) {
     std::uint32_t framebuffer = 0;
     const bool withModifier = m_like.modifier != DRM_FORMAT_MOD_INVALID;
     if (const int error = m_device.addFramebuffer(describe(buffer, withModifier), framebuffer); error != 0)
-        return Error{"surface.driver", m_device.node(), "the kernel takes no more framebuffers",
+        return Error{"surface.driver", m_device.node(), "the kernel cannot create another framebuffer",
                      "choose a smaller mode, or give the kernel more memory (cma=)"};
     gbm_bo_set_user_data(buffer, new Attached{m_device, framebuffer},
                          [](gbm_bo*, void* attached) { delete static_cast<Attached*>(attached); });

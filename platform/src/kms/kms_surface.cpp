@@ -81,7 +81,7 @@ Result<void> KmsSurface::open() {
     if (!device)
         return device.error();
     if (!*device) {
-        openLater(m_options.screen.devices + ": no device has such an output yet");
+        openLater(m_options.screen.devices + ": no device has this output yet");
         return {};
     }
     m_device = *std::move(device);
@@ -104,7 +104,7 @@ Result<void> KmsSurface::openContext() {
     if (Result<void> ready = makeReady(); !ready)
         return ready;
     if (isSoftware(m_driver) && !m_options.screen.allowSoftware)
-        return Error{"surface.software", m_driver, "the screen would be drawn by the processor",
+        return Error{"surface.software", m_driver, "the screen would be drawn by the CPU",
                      "put the user into the group render; or allow software rendering"};
     using GetInteger = void (*)(unsigned, int*);
     constexpr unsigned kMaxTextureSize = 0x0D33; // As in any GL header.

@@ -232,13 +232,13 @@ Result<std::unique_ptr<KmsDevice>> openKmsDevice(const std::string& node) {
         return Error{"screen.permission", node, "it may not be opened",
                      "put the user into the groups video and render"};
     if (!device)
-        return Error{"screen.no-device", node, std::strerror(errno), "is the driver loaded?"};
+        return Error{"screen.no-device", node, std::strerror(errno), "check that the driver is loaded"};
     const Resources resources(drmModeGetResources(device.get()));
     if (!resources || resources->count_connectors == 0)
-        return Error{"screen.unsupported", node, "it drives no screen", ""};
+        return Error{"screen.unsupported", node, "the device has no screen outputs", ""};
     if (drmSetClientCap(device.get(), DRM_CLIENT_CAP_UNIVERSAL_PLANES, 1) != 0 ||
         drmSetClientCap(device.get(), DRM_CLIENT_CAP_ATOMIC, 1) != 0)
-        return Error{"screen.unsupported", node, "its driver has no atomic mode setting",
+        return Error{"screen.unsupported", node, "the driver has no atomic mode setting",
                      "use the KMS driver of the kernel (dtoverlay=vc4-kms-v3d)"};
     return std::unique_ptr<KmsDevice>(std::make_unique<LibdrmDevice>(node, std::move(device)));
 }

@@ -254,7 +254,7 @@ void KmsScreen::flipIsLate(Nanoseconds now) {
     ++m_frame; // Should it come after all, it is not taken for another one.
     m_waiting = std::exchange(m_flying, 0);
     if (m_resets > 0)
-        return fail({"screen.flip-timeout", m_device.node(), "flips are not answered",
+        return fail({"screen.flip-timeout", m_device.node(), "the driver does not answer page flips",
                      "restart the program; if that does not help, the machine"});
     ++m_resets;
     m_device.commit(offRequest(*m_pipe), kModeset | kNonblocking, 0);

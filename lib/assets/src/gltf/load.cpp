@@ -48,7 +48,7 @@ Result<Scene> loadBytes(std::span<const std::uint8_t> bytes, const std::string& 
     } catch (const std::bad_alloc&) {
         source.fail("gltf.limit", "", "there is not enough memory for the file", "make the model smaller");
     } catch (const std::exception& exception) {
-        source.fail("gltf.json", "", std::string("the parser gives up: ") + exception.what());
+        source.fail("gltf.json", "", std::string("the parser failed: ") + exception.what());
     }
     return *std::move(source.error);
 }

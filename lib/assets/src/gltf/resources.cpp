@@ -21,7 +21,8 @@ bool fetch(Source& source, std::string& uri, const std::filesystem::path* folder
     }
     problem = read.error().what;
     return read.error().code != "file.size" ||
-           source.fail("gltf.limit", where, problem, "make it smaller, or raise the LoadOptions");
+           source.fail("gltf.limit", where, problem,
+                       "make the file smaller, or raise the limits of LoadOptions");
 }
 
 // glTF 2.0, 4.4.3.3: the binary chunk is the first buffer, if that has no URI.

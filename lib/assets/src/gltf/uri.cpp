@@ -131,7 +131,7 @@ Result<std::vector<std::uint8_t>> readBelow(const std::filesystem::path& folder,
                                             std::size_t maxBytes) {
     const std::optional<std::string> inside = name.starts_with('/') ? std::nullopt : withoutDots(name);
     if (!inside || inside->empty())
-        return Error{"file.outside", name, "the name leads out of the model's folder",
+        return Error{"file.outside", name, "the path leads out of the model's folder",
                      "put the file next to the model, and name it relative to that"};
     const Result<std::filesystem::path> path = findBelow(folder, *inside);
     return path ? readFile(*path, maxBytes) : path.error();

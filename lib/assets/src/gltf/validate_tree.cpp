@@ -9,7 +9,7 @@ bool checkPresent(Source& source, int index, std::size_t size, const std::string
     if (index >= 0 && at(index) < size)
         return true;
     return source.fail("gltf.index-range", where,
-                       "the index " + std::to_string(index) + " points at nothing: there are " +
+                       "the index " + std::to_string(index) + " is out of range: there are only " +
                            std::to_string(size));
 }
 

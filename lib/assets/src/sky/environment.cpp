@@ -26,7 +26,8 @@ Error at(const fs::path& path, Error error) {
 /// One picture, which may take `room` bytes.
 Result<FloatImage> decodePicture(std::span<const std::uint8_t> file, std::size_t room) {
     if (isHdre(file))
-        return Error{"sky.shape", "", "an HDRE environment is all six faces", "give it alone, as the sky"};
+        return Error{"sky.shape", "", "an HDRE file holds all six faces, and cannot be one of them",
+                     "give the file alone"};
     return isHdr(file)   ? decodeHdr(file, kMaxSkyWidth, room)
            : isExr(file) ? decodeExr(file, kMaxSkyWidth, room)
                          : decodeSrgbImage(file, kMaxSkyWidth, room);
@@ -80,7 +81,7 @@ Result<Environment> fromPicture(const fs::path& path, Result<FloatImage> picture
         return fromCross(*picture);
     }
     return Error{"sky.shape", path.string(),
-                 "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " is no sky",
+                 "a picture of " + std::to_string(width) + " x " + std::to_string(height) + " is not a sky",
                  "use 2:1 for an equirectangular sky, 4:3 or 3:4 for a cross, or a folder of six faces"};
 }
 
@@ -137,7 +138,7 @@ Result<std::vector<std::uint8_t>> readSkyFile(const fs::path& path, std::size_t 
     if (bytes)
         return bytes;
     return Error{"sky.file", path.string(), bytes.error().what,
-                 bytes.error().code == "file.size" ? "make it smaller, or raise the SkyLimits"
+                 bytes.error().code == "file.size" ? "make the file smaller, or raise the limits of SkyLimits"
                                                    : bytes.error().remedy};
 }
 
