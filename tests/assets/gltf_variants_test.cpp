@@ -55,8 +55,8 @@ TEST(GltfVariants, MaterialsOfVariantsAreReadWithTheirImagesAndTangents) {
 
 TEST(GltfVariants, NamesThatCannotBeToldApartAreMended) {
     GltfFile file = fileWith({{{"material", 1}, {"variants", {0}}}},
-                             {{{"name", "day"}}, {{"name", "day"}}, Json::object()});
-    EXPECT_EQ(file.loaded().variants, (std::vector<std::string>{"day", "day#1", "#2"}));
+                             {{{"name", "day"}}, {{"name", "day"}}, Json::object(), {{"name", "dusk"}}});
+    EXPECT_EQ(file.loaded().variants, (std::vector<std::string>{"day", "day#1", "#2", "dusk"}));
     EXPECT_EQ(file.warnings.size(), 2u);
 }
 
@@ -83,7 +83,7 @@ TEST(GltfVariants, MoreOfThemThanThereIsMemoryIsRefused) {
         variants.push_back({{"name", std::to_string(i)}});
         mapping["variants"].push_back(i);
     }
-    GltfFile file = fileWith({mapping}, variants);
+    GltfFile file = fileWith(Json::array({mapping}), variants);
     Json& primitives = file.json["meshes"][0]["primitives"];
     const Json first = primitives[0];
     for (int i = 0; i < 50; ++i)

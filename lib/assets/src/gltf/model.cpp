@@ -85,6 +85,13 @@ void takeStrides(Source& source, Json& root) {
     }
 }
 
+// tinygltf leaves empty objects out of arrays, and the next variant would come to bear its number.
+void nameVariants(Json& root) {
+    if (member(member(root, "extensions"), "KHR_materials_variants").contains("variants"))
+        for (Json& variant : root["extensions"]["KHR_materials_variants"]["variants"])
+            variant.emplace("name", "");
+}
+
 // tinygltf refuses indices without a view, which glTF allows (they are zero); it gets one that is taken back.
 int addPlaceholderView(Json& root) {
     const int placeholder = static_cast<int>(root["bufferViews"].size());
@@ -122,6 +129,7 @@ bool parseModel(Document& source, Json& root) {
     if (!chargeObjects(source, root) || !takeResources(source, root))
         return false;
     takeStrides(source, root);
+    nameVariants(root);
     const int placeholder = addPlaceholderView(root);
     const std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);
     root = {};
