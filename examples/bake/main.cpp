@@ -58,7 +58,8 @@ int main(int argc, char** argv) {
     Options options;
     CLI::App app(kAbout, "bake");
     app.footer(kFooter);
-    app.add_option("SKY", options.sky, "A .hdr, .exr or .hdre, a cross, or a folder of six faces")->required();
+    app.add_option("SKY", options.sky, "A .hdr, .exr or .hdre, a cross, or a folder of six faces")
+        ->required();
     app.add_option("-o,--output-file", options.output, "The baked sky [SKY's name with .sky]")
         ->type_name("FILE");
     app.add_flag("--sun", options.bake.sun, "Takes the sun out and stores it as a directional light");

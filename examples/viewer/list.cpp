@@ -9,7 +9,8 @@ namespace {
 
 std::string line(const char* kind, std::size_t index, const std::string& name, const std::string& more = "") {
     return std::string(kind) + " " + std::to_string(index) + ": " +
-           (name.empty() ? "(without a name)" : printableLines(name)) + (more.empty() ? "" : ", " + more) + "\n";
+           (name.empty() ? "(without a name)" : printableLines(name)) + (more.empty() ? "" : ", " + more) +
+           "\n";
 }
 
 std::size_t trianglesOf(const Mesh& mesh) {
@@ -20,7 +21,9 @@ std::size_t trianglesOf(const Mesh& mesh) {
 }
 
 const char* kindOf(const Light& light) {
-    return light.kind == Light::Kind::Directional ? "sun" : light.kind == Light::Kind::Point ? "point" : "spot";
+    return light.kind == Light::Kind::Directional ? "sun"
+           : light.kind == Light::Kind::Point     ? "point"
+                                                  : "spot";
 }
 
 } // namespace
@@ -40,8 +43,9 @@ std::string listOf(const Scene& scene) {
         list += line("image", i, scene.images[i].name,
                      std::to_string(scene.images[i].width) + "x" + std::to_string(scene.images[i].height));
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
-        list += line("node", i, scene.instances[i].name,
-                     std::to_string(trianglesOf(scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)])) +
-                         " triangles");
+        list += line(
+            "node", i, scene.instances[i].name,
+            std::to_string(trianglesOf(scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)])) +
+                " triangles");
     return list;
 }

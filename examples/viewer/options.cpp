@@ -152,9 +152,10 @@ void addLoading(CLI::App& app, Options& options) {
                  "Draws again whenever the model, the height map, the sky or a snippet changes, until it is "
                  "interrupted; keeps the last good picture on an error")
         ->excludes("--permutations");
-    app.add_flag("--list", options.list,
-                 "Prints what is in the file (cameras, lights, variants, materials, images, nodes), and draws "
-                 "nothing")
+    app.add_flag(
+           "--list", options.list,
+           "Prints what is in the file (cameras, lights, variants, materials, images, nodes), and draws "
+           "nothing")
         ->excludes("--permutations")
         ->excludes("--watch");
 }
@@ -165,7 +166,8 @@ void addScene(CLI::App& app, Options& options) {
            "--camera", options.camera,
            "One of the file's cameras, by its name, its node's name, or its index in the file [the first]")
         ->type_name("NAME|INDEX");
-    app.add_option("--variant", options.variant, "One of the file's variants (KHR_materials_variants), by its name")
+    app.add_option("--variant", options.variant,
+                   "One of the file's variants (KHR_materials_variants), by its name")
         ->type_name("NAME");
     app.add_option_function<std::vector<std::string>>(
            "--sun",

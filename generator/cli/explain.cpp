@@ -47,7 +47,8 @@ void writeBudgets(Console& console, const std::vector<ProfileBudget>& budgets) {
         }
         console.write("\n");
         for (const Excess& excess : each.excesses)
-            console.write("  ! " + std::string(toText(excess.use.resource)) + ": " + adviceFor(excess) + "\n");
+            console.write("  ! " + std::string(toText(excess.use.resource)) + ": " + adviceFor(excess) +
+                          "\n");
     }
 }
 

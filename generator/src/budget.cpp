@@ -164,8 +164,8 @@ constexpr int kMostLights = 2 * Permutation::kMaxLights;
 
 // How many lights a compiler that cannot spill has registers for, beside what the program holds over all of
 // them: texels, a lobe whose roughness is the pixel's, the vertex colour, and the cones' axes. Fitted to
-// Mesa's compiler for vc4: of 590 programs with five to eight lights it gives up on 40, which all exceed this limit,
-// as do a third of the others; with up to four lights all have their registers (tests/qpu).
+// Mesa's compiler for vc4: of 590 programs with five to eight lights it gives up on 40, which all exceed this
+// limit, as do a third of the others; with up to four lights all have their registers (tests/qpu).
 int lightsBeside(const Interface& interface) {
     const auto hasUniform = [&](std::string_view name) {
         return std::any_of(interface.uniforms.begin(), interface.uniforms.end(),

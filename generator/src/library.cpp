@@ -103,9 +103,7 @@ std::string snippetName(const Row& row) {
     return (row.stage == Stage::Vertex ? "vertex/" : "fragment/") + std::string(row.snippet);
 }
 
-std::string_view concernOf(const Row& row) {
-    return row.snippet.substr(0, row.snippet.find('/'));
-}
+std::string_view concernOf(const Row& row) { return row.snippet.substr(0, row.snippet.find('/')); }
 
 std::string declaredName(const Declaration& declaration, const Step& step) {
     return fill(declaration.name, step);

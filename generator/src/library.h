@@ -10,7 +10,8 @@
 
 namespace franken {
 
-/// What stands together in a program's declarations, in this order. Uniforms stand in the order of their blocks.
+/// What stands together in a program's declarations, in this order. Uniforms stand in the order of their
+/// blocks.
 enum class Group : std::uint8_t {
     Precision,
     Attributes,

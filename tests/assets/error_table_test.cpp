@@ -19,11 +19,12 @@ std::string textOf(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Two words of small letters with a dot between, the second perhaps with dashes ("gltf.index-range"); not what
-/// ends as a file's name does.
+/// Two words of small letters with a dot between, the second perhaps with dashes ("gltf.index-range"); not
+/// what ends as a file's name does.
 bool isCode(std::string_view text) {
     const auto isWord = [](std::string_view word) {
-        return !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string_view::npos;
+        return !word.empty() &&
+               word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string_view::npos;
     };
     const std::size_t dot = text.find('.');
     return dot != std::string_view::npos && isWord(text.substr(0, dot)) && isWord(text.substr(dot + 1)) &&

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What frankenshader offers to builds and to shells: formats, dependencies, comparisons after an upgrade, parts of the
-// space that fit a GPU, completions; and what many programs cost in time and memory.
+// What frankenshader offers to builds and to shells: formats, dependencies, comparisons after an upgrade,
+// parts of the space that fit a GPU, completions; and what many programs cost in time and memory.
 #include "cli_runner.h"
 
 #include "franken/generator/compose.h"
 #include "franken/generator/pack.h"
 
 #include <nlohmann/json.hpp>
-
 
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -61,14 +60,17 @@ int main(void) {
 }
 )";
     for (const char* compiler : {"gcc -std=c99", "g++ -x c++ -std=c++20"})
-        EXPECT_EQ(shell(std::string(compiler) + " -Wall -Wextra -Werror main.c -o main && ./main >printed").code, 0)
+        EXPECT_EQ(
+            shell(std::string(compiler) + " -Wall -Wextra -Werror main.c -o main && ./main >printed").code, 0)
             << read("err");
     const std::string printed = read("printed");
     EXPECT_NE(printed.find("sky 0x"), std::string::npos);
     const int offset = franken::fieldOffset(franken::Block::Lights, "uSun1Direction");
     ASSERT_GE(offset, 0);
-    EXPECT_NE(printed.find("uSun1Direction lights 1 " + std::to_string(offset)), std::string::npos) << printed;
-    EXPECT_TRUE(printed.ends_with(franken::compose(*franken::parseName("basecolor.normal+sun2")).fragment.text));
+    EXPECT_NE(printed.find("uSun1Direction lights 1 " + std::to_string(offset)), std::string::npos)
+        << printed;
+    EXPECT_TRUE(
+        printed.ends_with(franken::compose(*franken::parseName("basecolor.normal+sun2")).fragment.text));
 }
 
 TEST_F(CliBuild, JsonHasTheOffsetsOfUniforms) {
@@ -123,14 +125,16 @@ TEST_F(CliBuild, ComparesAFolderWithToday) {
     std::ofstream(path("set/manifest.json")) << manifest;
     outcome = run("diff --against set");
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_NE(outcome.out.find("glow+sun1: there is no such program any more"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("glow+sun1: there is no such program any more"), std::string::npos)
+        << outcome.out;
 }
 
 TEST_F(CliBuild, RefusesAFolderThatDumpDidNotWrite) {
     fs::create_directory(path("set"));
-    for (const char* text : {"", "[]", "{\"programs\": 1}", "{\"programs\": [1]}",
-                             "{\"programs\": [{\"name\": \"sun1\", \"vertex\": \"../../secret\"}]}",
-                             "{\"programs\": [{\"name\": \"sun1\", \"vertex\": \"a\", \"fragment\": \"b\"}]}"}) {
+    for (const char* text :
+         {"", "[]", "{\"programs\": 1}", "{\"programs\": [1]}",
+          "{\"programs\": [{\"name\": \"sun1\", \"vertex\": \"../../secret\"}]}",
+          "{\"programs\": [{\"name\": \"sun1\", \"vertex\": \"a\", \"fragment\": \"b\"}]}"}) {
         std::ofstream(path("set/manifest.json")) << text;
         const Outcome outcome = run("diff --against set");
         EXPECT_EQ(outcome.code, 3) << text << outcome.err;
@@ -167,8 +171,8 @@ TEST_F(CliBuild, CompletesCommandsOptionsAndWords) {
         }
     }
     const auto complete = [&](const std::string& words, int at) {
-        return shell("bash -c '. ./bash; COMP_WORDS=(frankenshader " + words + "); COMP_CWORD=" + std::to_string(at) +
-                     "; _frankenshader; echo ${COMPREPLY[*]}'")
+        return shell("bash -c '. ./bash; COMP_WORDS=(frankenshader " + words +
+                     "); COMP_CWORD=" + std::to_string(at) + "; _frankenshader; echo ${COMPREPLY[*]}'")
             .out;
     };
     EXPECT_EQ(complete("expl", 1), "explain\n");

@@ -193,7 +193,8 @@ TEST(Compose, LineMapLeadsToTheSnippetsLines) {
 TEST(Compose, HeadNamesTheStageAndItsFlags) {
     const std::string name = "basecolor.normal+ambient+sun1+seed+decode-none+linear";
     const Composed program = compose(named(name));
-    EXPECT_TRUE(program.vertex.text.starts_with("#version 100\n// FrankenShader\n//   transform/position: 1\n"));
+    EXPECT_TRUE(
+        program.vertex.text.starts_with("#version 100\n// FrankenShader\n//   transform/position: 1\n"));
     EXPECT_TRUE(program.fragment.text.starts_with("#version 100\n// FrankenShader " + name + "\n"));
     EXPECT_NE(program.vertex.text.find("//\n// VERTEX SHADER\n//\n"), std::string::npos);
     EXPECT_NE(program.fragment.text.find("//\n// FRAGMENT SHADER\n//\n"), std::string::npos);
@@ -204,7 +205,8 @@ TEST(Compose, HeadNamesTheStageAndItsFlags) {
     EXPECT_NE(program.fragment.text.find("\n//   output: linear\n"), std::string::npos);
 }
 
-// The name in a fragment shader's head asks for this very fragment shader, whichever program it was written for.
+// The name in a fragment shader's head asks for this very fragment shader, whichever program it was written
+// for.
 TEST(Compose, TheNameInTheHeadBringsTheShaderBack) {
     for (const Permutation& p : bases()) {
         const std::string text = compose(p).fragment.text;

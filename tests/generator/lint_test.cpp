@@ -181,8 +181,9 @@ TEST(Lint, NamesTheSnippet) {
     stage.lines = {{{}, 0}, {{}, 0}, {"vertex/transform/position", 6}, {{}, 0}};
     const std::vector<LintFinding> findings = lint(stage, Stage::Vertex);
     ASSERT_EQ(findings.size(), 1u);
-    EXPECT_EQ(toString(findings[0]), "generator/glsl/vertex/transform/position.glsl:6: the integer '1' stands where a "
-                                     "float is meant [integer-literal]");
+    EXPECT_EQ(toString(findings[0]),
+              "generator/glsl/vertex/transform/position.glsl:6: the integer '1' stands where a "
+              "float is meant [integer-literal]");
 }
 
 TEST(Lint, SurvivesAnyText) {

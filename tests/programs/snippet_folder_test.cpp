@@ -106,7 +106,8 @@ TEST_F(SnippetSetTest, WhatTheBuildCannotFeedIsRefused) {
           Row{"uniform vec3 uAmbient; // frame: another block", "uAmbient"},
           Row{"uniform vec3 uBaseColorCubic[9]; // material: longer", "uBaseColorCubic"},
           Row{"uniform sampler2D uNoise; // frame: new", "uNoise"}, Row{"attribute vec3 aWind;", "aWind"}}) {
-        write("fragment/ambient/none.glsl", std::string("// Dark.\n//! declarations\n") + row.declaration + "\n");
+        write("fragment/ambient/none.glsl",
+              std::string("// Dark.\n//! declarations\n") + row.declaration + "\n");
         EXPECT_EQ(failure().code, "snippet.interface") << row.declaration;
         EXPECT_EQ(failure().where, (m_folder / "fragment/ambient/none.glsl:3").string()) << row.declaration;
         EXPECT_NE(failure().what.find(row.name), std::string::npos) << failure().what;

@@ -59,7 +59,8 @@ TEST_P(SnippetsTest, ACacheSaysInWhichSnippetTheErrorIs) {
     const Result<ProgramHandle> failed = cache.get(permutation);
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().code, "program.compile");
-    EXPECT_NE(failed.error().what.find("fragment/ambient/none.glsl:"), std::string::npos) << failed.error().what;
+    EXPECT_NE(failed.error().what.find("fragment/ambient/none.glsl:"), std::string::npos)
+        << failed.error().what;
     EXPECT_TRUE(gl().IsProgram((*working)->name())) << "whoever holds a program keeps it";
 }
 

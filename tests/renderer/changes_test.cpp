@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Changes of a model that is loaded: what is uploaded for them, and that they last. And what is uploaded once.
+// Changes of a model that is loaded: what is uploaded for them, and that they last. And what is uploaded
+// once.
 #include "support/draw_scene.h"
 #include "support/gl_recorder.h"
 #include "support/shapes.h"
@@ -42,7 +43,7 @@ Scene pair() {
     SceneBuilder builder;
     for (const float x : {-0.6f, 0.6f}) {
         Material material;
-    material.roughness = 0.6f;
+        material.roughness = 0.6f;
         material.name = x < 0 ? "left" : "right";
         material.baseColorTexture.texture = builder.addTexture(checkers(32, 4, kRed, glm::vec4(1)));
         glm::mat4 world(0.5f);
@@ -70,10 +71,11 @@ TEST_P(ChangesTest, EqualGeometryAndImagesAreUploadedOnce) {
     const Primitive ball = sphere(20);
     for (int i = 0; i < 500; ++i) {
         Material material;
-    material.roughness = 0.5f;
+        material.roughness = 0.5f;
         if (i < 50)
             material.baseColorTexture.texture = builder.addTexture(checkers(16, 4, kRed, kGreen));
-        builder.add(ball, i < 50 ? builder.addMaterial(material) : 0, glm::translate(glm::mat4(1), {i, 0, 0}));
+        builder.add(ball, i < 50 ? builder.addMaterial(material) : 0,
+                    glm::translate(glm::mat4(1), {i, 0, 0}));
     }
     const std::size_t mesh = 21 * 41 * (12 + 12 + 16 + 8) + 20 * 40 * 6 * 2;
     const std::size_t texture = 4 * (16 * 16 + 8 * 8 + 4 * 4 + 2 * 2 + 1);

@@ -8,10 +8,10 @@ namespace franken::test {
 
 /// What the process holds at one moment; bytes.
 struct MemoryUse {
-    double seconds = 0;        ///< Since the run began.
-    std::size_t resident = 0;  ///< RSS.
-    std::size_t heap = 0;      ///< Allocated and not freed, by anyone: C and C++, drivers included.
-    std::size_t cpp = 0;       ///< Of these, by operator new: this project and tinygltf. Mesa's softpipe is C.
+    double seconds = 0;       ///< Since the run began.
+    std::size_t resident = 0; ///< RSS.
+    std::size_t heap = 0;     ///< Allocated and not freed, by anyone: C and C++, drivers included.
+    std::size_t cpp = 0;      ///< Of these, by operator new: this project and tinygltf. Mesa's softpipe is C.
     std::size_t descriptors = 0; ///< Open files; a count.
 };
 

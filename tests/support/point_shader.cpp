@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "franken/gl_object.h"
 #include "support/point_shader.h"
+#include "franken/gl_object.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,9 @@
 #define ENGINE_GL_FUNCTIONS(X)                                                                               \
     X(ActiveTexture)                                                                                         \
     X(AttachShader)                                                                                          \
-    X(BindBuffer) X(BindTexture) X(BufferData) X(Clear) X(ClearColor) X(CompileShader) X(CreateProgram)      \
-        X(CreateShader) X(Disable) X(DisableVertexAttribArray) X(DrawArrays) X(DrawElements) X(Enable)       \
+    X(BindBuffer)                                                                                            \
+    X(BindTexture) X(BufferData) X(Clear) X(ClearColor) X(CompileShader) X(CreateProgram) X(CreateShader)    \
+        X(Disable) X(DisableVertexAttribArray) X(DrawArrays) X(DrawElements) X(Enable)                       \
             X(EnableVertexAttribArray) X(GenBuffers) X(GenTextures) X(GetAttribLocation) X(GetError)         \
                 X(GetUniformLocation) X(LinkProgram) X(ReadPixels) X(ShaderSource) X(TexImage2D)             \
                     X(TexParameteri) X(Uniform1f) X(UseProgram) X(VertexAttribPointer) X(Viewport)

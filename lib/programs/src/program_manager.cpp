@@ -18,8 +18,10 @@ namespace {
 
 Error drawsNothing(const Permutation& permutation) {
     const std::string name = toName(permutation);
-    return {"program.draw", name, "links, but draws nothing or a wrong color, as where the GPU's registers or digits do not suffice",
-            "see what it needs with: frankenshader cost " + name};
+    return {
+        "program.draw", name,
+        "links, but draws nothing or a wrong color, as where the GPU's registers or digits do not suffice",
+        "see what it needs with: frankenshader cost " + name};
 }
 
 Permutation endOfChain(Permutation permutation) {

@@ -21,9 +21,9 @@ struct Object {
     const GpuPrimitive* primitive;
     const GpuMesh* mesh;
     GpuMaterial* material;
-    unsigned order;              ///< By model, material and mesh.
-    unsigned movements = 0;      ///< Those of its place that the members above are for.
-    bool isPlaced = false;       ///< They are for any, and for the sky's rotation.
+    unsigned order;         ///< By model, material and mesh.
+    unsigned movements = 0; ///< Those of its place that the members above are for.
+    bool isPlaced = false;  ///< They are for any, and for the sky's rotation.
     bool mirrored = false;
     bool visible = false;
 };

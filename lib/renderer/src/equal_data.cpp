@@ -16,10 +16,10 @@ std::string_view bytesOf(const std::vector<Value>& values) {
 /// Calls the function with the bytes of each array of both.
 template<typename Function>
 bool allOf(const Primitive& a, const Primitive& b, Function equal) {
-    return equal(bytesOf(a.positions), bytesOf(b.positions)) && equal(bytesOf(a.normals), bytesOf(b.normals)) &&
-           equal(bytesOf(a.tangents), bytesOf(b.tangents)) && equal(bytesOf(a.uv[0]), bytesOf(b.uv[0])) &&
-           equal(bytesOf(a.uv[1]), bytesOf(b.uv[1])) && equal(bytesOf(a.colors), bytesOf(b.colors)) &&
-           equal(bytesOf(a.indices), bytesOf(b.indices));
+    return equal(bytesOf(a.positions), bytesOf(b.positions)) &&
+           equal(bytesOf(a.normals), bytesOf(b.normals)) && equal(bytesOf(a.tangents), bytesOf(b.tangents)) &&
+           equal(bytesOf(a.uv[0]), bytesOf(b.uv[0])) && equal(bytesOf(a.uv[1]), bytesOf(b.uv[1])) &&
+           equal(bytesOf(a.colors), bytesOf(b.colors)) && equal(bytesOf(a.indices), bytesOf(b.indices));
 }
 
 std::size_t combined(std::size_t hash, std::size_t next) {
@@ -39,7 +39,8 @@ std::size_t GeometryHash::operator()(const Primitive* primitive) const {
 }
 
 bool GeometryEqual::operator()(const Primitive* a, const Primitive* b) const {
-    return a == b || allOf(*a, *b, [](std::string_view left, std::string_view right) { return left == right; });
+    return a == b ||
+           allOf(*a, *b, [](std::string_view left, std::string_view right) { return left == right; });
 }
 
 std::size_t SampledImageHash::operator()(const SampledImage& texture) const {

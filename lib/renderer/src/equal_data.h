@@ -32,7 +32,6 @@ struct SampledImageEqual {
     bool operator()(const SampledImage& a, const SampledImage& b) const;
 };
 /// By pixels and sampling, whatever the image's name.
-using MapOfSampledImages =
-    std::unordered_map<SampledImage, std::size_t, SampledImageHash, SampledImageEqual>;
+using MapOfSampledImages = std::unordered_map<SampledImage, std::size_t, SampledImageHash, SampledImageEqual>;
 
 } // namespace franken

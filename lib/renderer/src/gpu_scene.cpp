@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu_scene.h"
 
-#include "franken/scene_check.h"
 #include "equal_data.h"
+#include "franken/scene_check.h"
 
 #include <algorithm>
 
@@ -33,9 +33,8 @@ public:
         for (const Instance& instance : m_scene.instances) {
             const auto mesh = static_cast<std::size_t>(instance.mesh);
             for (std::size_t i = 0; i < m_scene.meshes[mesh].primitives.size(); ++i)
-                m_gpu.drawables.push_back({.primitive = first[mesh] + i,
-                                           .world = instance.world,
-                                           .mirrored = instance.mirrored});
+                m_gpu.drawables.push_back(
+                    {.primitive = first[mesh] + i, .world = instance.world, .mirrored = instance.mirrored});
         }
         return std::move(m_gpu);
     }
@@ -154,9 +153,8 @@ void bindTextures(GpuMaterial& material, const GpuScene& gpu, const DefaultTextu
     for (std::size_t unit = 0; unit < kMaterialUnits; ++unit) {
         const int texture = material.plan.textures[unit];
         material.textures[unit] =
-            texture == kNone
-                ? defaults.at(unit)
-                : gpu.textures[gpu.textureOf[static_cast<std::size_t>(texture)]].texture.name();
+            texture == kNone ? defaults.at(unit)
+                             : gpu.textures[gpu.textureOf[static_cast<std::size_t>(texture)]].texture.name();
     }
 }
 

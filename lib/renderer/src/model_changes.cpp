@@ -126,8 +126,7 @@ Result<void> Models::setTexture(ModelId id, int index, const Image& image, Pictu
     if (Result<void> checked = check(image); !checked)
         return checked;
     if (!isIndex(index, model->outline.scene.textures.size()) ||
-        (model->gpu &&
-         model->gpu->textureOf[static_cast<std::size_t>(index)] == GpuScene::kNotUploaded))
+        (model->gpu && model->gpu->textureOf[static_cast<std::size_t>(index)] == GpuScene::kNotUploaded))
         return unknownTexture("renderer.texture", index);
     if (model->gpu)
         if (Result<void> replaced = replaceTexture(*model, index, image); !replaced)
@@ -150,10 +149,9 @@ Result<void> Models::replaceTexture(Model& model, int index, const Image& image)
     const Texture& sampling = model.outline.scene.textures[static_cast<std::size_t>(index)];
     const bool isShared = std::count(gpu.textureOf.begin(), gpu.textureOf.end(), uploaded) > 1;
     const TextureContents contents = gpu.textures[uploaded].contents;
-    const Result<bool> updated =
-        isShared ? Result<bool>(false) : checkedUpload(m_device, [&] {
-            return updateTexture(m_device, gpu.textures[uploaded], image, sampling);
-        });
+    const Result<bool> updated = isShared ? Result<bool>(false) : checkedUpload(m_device, [&] {
+        return updateTexture(m_device, gpu.textures[uploaded], image, sampling);
+    });
     if (!updated)
         return updated.error();
     if (*updated)
@@ -194,7 +192,8 @@ Result<ModelNames> Models::namesOf(ModelId id) const {
     const Model* const model = find(id);
     if (model == nullptr)
         return unknownModel();
-    ModelNames names{.nodes = model->outline.nodes, .materials = {}, .variants = model->outline.scene.variants};
+    ModelNames names{
+        .nodes = model->outline.nodes, .materials = {}, .variants = model->outline.scene.variants};
     for (const Material& material : model->outline.scene.materials)
         names.materials.push_back(material.name);
     return names;

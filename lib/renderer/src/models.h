@@ -39,15 +39,15 @@ struct Model {
     ModelId id;
     SceneSource source; ///< May be empty.
     Outline outline;
-    std::vector<Place*> places;                    ///< The oldest first.
-    std::map<int, Material> changedMaterials = {}; ///< By scene material.
+    std::vector<Place*> places;                        ///< The oldest first.
+    std::map<int, Material> changedMaterials = {};     ///< By scene material.
     std::map<int, TextureChange> changedTextures = {}; ///< By scene texture.
     std::optional<GpuScene> gpu = {};
     std::uint64_t lastShown = 0; ///< By Device::clock.
 };
 
-/// The models of a renderer: which are on the GPU, which are shown, and where. Renderer says what its functions
-/// do.
+/// The models of a renderer: which are on the GPU, which are shown, and where. Renderer says what its
+/// functions do.
 class Models final : public GlOwner {
 public:
     explicit Models(Device& device);
@@ -103,7 +103,7 @@ private:
     std::optional<DefaultTextures> m_defaults; ///< Nothing while there is no context.
     std::vector<std::unique_ptr<Model>> m_models;
     std::unordered_map<PlaceId, Place> m_places; ///< Whose addresses stay.
-    std::vector<Model*> m_shown, m_wanted; ///< Neither is evicted; `m_wanted` is about to be shown.
+    std::vector<Model*> m_shown, m_wanted;       ///< Neither is evicted; `m_wanted` is about to be shown.
     unsigned m_revision = 0, m_movements = 0;
 };
 

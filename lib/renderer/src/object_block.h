@@ -19,8 +19,8 @@ void roundTo(Values& values, const Matrix& matrix) {
                    [](double value) { return static_cast<float>(value); });
 }
 
-/// What depends on the object and the sky's rotation alone: the normal matrix, and the model matrix but for the
-/// translation, both into the space that programs compute in. `world` is affine.
+/// What depends on the object and the sky's rotation alone: the normal matrix, and the model matrix but for
+/// the translation, both into the space that programs compute in. `world` is affine.
 void placeObject(ObjectBlock& block, const glm::dmat4& world, bool mirrored, const glm::dmat3& skyFromWorld);
 
 /// A camera, and the sky's rotation: what all objects of a frame are placed for.

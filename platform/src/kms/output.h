@@ -16,8 +16,8 @@ bool isUsable(const KmsConnector& connector, const ScreenOptions& options);
 /// The connector that the options ask for, or null where there is none to show anything on now.
 const KmsConnector* chooseConnector(const KmsResources& resources, const ScreenOptions& options);
 
-/// How the connector's panel is mounted: as `panel orientation` has it, and turned further by what the kernel's
-/// command line says of the connector (video=DSI-1:…,rotate=90), or of all.
+/// How the connector's panel is mounted: as `panel orientation` has it, and turned further by what the
+/// kernel's command line says of the connector (video=DSI-1:…,rotate=90), or of all.
 Rotation mountedRotation(const KmsConnector& connector, std::string_view kernelCommandLine);
 
 /// The parts of a device that a picture goes through.

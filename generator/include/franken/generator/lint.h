@@ -28,8 +28,8 @@ struct LintFinding {
     std::string message;   ///< One sentence, for people.
 };
 
-/// "generator/glsl/fragment/brdf/ggx.glsl:15: message [rule]", or "fragment:15: ..." for a line that came from
-/// no snippet.
+/// "generator/glsl/fragment/brdf/ggx.glsl:15: message [rule]", or "fragment:15: ..." for a line that came
+/// from no snippet.
 std::string toString(const LintFinding& finding);
 
 /// Checks one stage on its own. The text should be GLSL that a compiler accepts: the lint survives any text,

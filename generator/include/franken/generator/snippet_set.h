@@ -12,11 +12,11 @@
 
 namespace FRANKEN_API franken {
 
-/// The snippets that programs are composed of. Most users need only the built-in set. Authors of snippets load
-/// a folder, and load it again after an edit, without building.
+/// The snippets that programs are composed of. Most users need only the built-in set. Authors of snippets
+/// load a folder, and load it again after an edit, without building.
 ///
-/// An immutable value that is cheap to copy (one reference is counted), safe on any thread. A composed program
-/// keeps no reference to its set.
+/// An immutable value that is cheap to copy (one reference is counted), safe on any thread. A composed
+/// program keeps no reference to its set.
 class SnippetSet {
 public:
     /// The files of generator/glsl, as they were at build time. The default of compose().

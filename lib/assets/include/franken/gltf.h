@@ -36,16 +36,16 @@ struct LoadOptions {
 /// Animations, points, lines and optional extensions that are not known are left out, each with one warning.
 ///
 /// Known extensions: KHR_lights_punctual, KHR_materials_emissive_strength, KHR_materials_unlit,
-/// KHR_materials_variants, KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires is an error that names
-/// it, unless a picture at rest is right without.
+/// KHR_materials_variants, KHR_mesh_quantization, KHR_texture_transform. Another one that the file requires
+/// is an error that names it, unless a picture at rest is right without.
 ///
 /// The file may be malicious. Its container, JSON, names and types are checked before a parser sees them, the
 /// parser's result is checked again, and image headers are read before images are decoded. Accessors' `min`
 /// and `max` are not trusted: boxes are measured.
 ///
-/// What endangers memory or has two readings is an error. What has one reading is drawn by it, and what is wrong
-/// with a part that nothing drawn needs costs that part alone: a warning names the fault then. The table of both
-/// is in lib/assets/README.md.
+/// What endangers memory or has two readings is an error. What has one reading is drawn by it, and what is
+/// wrong with a part that nothing drawn needs costs that part alone: a warning names the fault then. The
+/// table of both is in lib/assets/README.md.
 ///
 /// Files that it refers to are read from its folder and below, nowhere else: not over a network, not by an
 /// absolute path, not by a ".." that leaves the folder, not by a symbolic link out of it. An image that is

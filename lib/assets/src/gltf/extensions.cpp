@@ -7,8 +7,8 @@
 namespace franken::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKnown{"KHR_lights_punctual", "KHR_materials_emissive_strength",
-                                                 "KHR_materials_unlit", "KHR_materials_variants",
+constexpr std::array<std::string_view, 6> kKnown{"KHR_lights_punctual",   "KHR_materials_emissive_strength",
+                                                 "KHR_materials_unlit",   "KHR_materials_variants",
                                                  "KHR_mesh_quantization", "KHR_texture_transform"};
 
 // What a picture of the file at rest can do without, even where the file says that it requires it: words

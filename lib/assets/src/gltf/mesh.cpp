@@ -210,9 +210,8 @@ bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string
     if (!readVariantMaterials(source, from, where, scene.variants.size(), primitive.variantMaterials))
         return false;
     const MaterialChoice materials = materialsOf(primitive, scene);
-    if (!chooseAttributes(source, materials, pose, where, from) ||
-        !chargePrimitive(source, from, where) || !readAttributes(source, from, primitive) ||
-        !readTriangles(source, from, where, primitive))
+    if (!chooseAttributes(source, materials, pose, where, from) || !chargePrimitive(source, from, where) ||
+        !readAttributes(source, from, primitive) || !readTriangles(source, from, where, primitive))
         return false;
     if (pose.mirrored)
         turnTriangles(primitive.indices);

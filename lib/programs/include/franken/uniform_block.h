@@ -26,8 +26,8 @@ struct BlockView {
 /// The uniforms of one draw: a view of each Block, in the order of the enumeration.
 using BlockViews = std::array<BlockView, 4>;
 
-/// One of the blocks of generator's pack.h, with a serial that changes whenever the values may have changed. A
-/// program uploads a block only when its serial has changed since the last upload: drawing the same object
+/// One of the blocks of generator's pack.h, with a serial that changes whenever the values may have changed.
+/// A program uploads a block only when its serial has changed since the last upload: drawing the same object
 /// again costs nothing, and two objects that share a block cost one upload.
 template<typename Values>
 class UniformBlock {

@@ -16,8 +16,8 @@ DrawState drawStateOf(const Scene& scene, const MaterialPlan& plan, bool blended
 enum class Variants { None, All };
 
 /// The programs that draw a scene in that light and look, with their state, without repetitions. Needs no GL.
-/// If lights go on and off, call it once for each lighting that will occur; if materials will be changed, with
-/// a scene that has the changed materials. Fails where canonicalise() does.
+/// If lights go on and off, call it once for each lighting that will occur; if materials will be changed,
+/// with a scene that has the changed materials. Fails where canonicalise() does.
 Result<std::vector<ProgramUse>> usesOf(const Scene& scene, const Lighting& lighting, const Look& look,
                                        const Log& log = {}, Variants variants = Variants::None);
 
