@@ -316,8 +316,7 @@ Result<void> Renderer::releaseState() {
                          "call acquireState() before the renderer draws"};
         m_state->foreign->restore(m_state->device.gl);
         m_state->foreign.reset();
-        m_state->device.state.invalidate();
-        m_state->programs.manager.invalidateState();
+        invalidateState();
         return {};
     });
 }
