@@ -8,9 +8,9 @@
 
 namespace FRANKEN_API franken {
 
-/// All of GL's state that this library touches (gl_state.h has the list), as plain data, to be set again.
-/// Objects are kept by name. Of contexts beyond OpenGL ES 2.0: attribute arrays are those of the vertex array
-/// object that is bound, which stays bound.
+/// A copy of all GL state that this library changes (gl_state.h has the list), which can be restored. Objects
+/// are kept by name. In contexts beyond OpenGL ES 2.0, the attribute arrays are those of the bound vertex
+/// array object, which stays bound.
 struct SavedState {
     struct Array {
         GLint enabled = 0, buffer = 0, size = 4, type = GL_FLOAT, normalized = 0, stride = 0;
@@ -37,10 +37,10 @@ struct SavedState {
     std::array<GLint, 4> viewport{}, scissorBox{};
     GLint packAlignment = 0, unpackAlignment = 0;
 
-    /// Asks for it: some 110 calls, for which a driver may have to finish what it was given.
+    /// Queries the state by some 110 GL calls, for which a driver may have to finish pending work.
     static SavedState of(const Gl& gl);
 
-    /// Sets it: some 90 calls.
+    /// Restores the state by some 90 GL calls.
     void restore(const Gl& gl) const;
 };
 

@@ -11,7 +11,7 @@ namespace FRANKEN_API franken {
 /// A place where a model stands; no other handle of the process has its value. See Renderer::addPlace().
 enum class PlaceId : unsigned {};
 
-/// What the things in a model are called, each array in the order of the scene's; names may be empty, and
+/// The names of a model's parts, each array in the scene's order; names may be empty, and several may be
 /// equal.
 struct ModelNames {
     std::vector<std::string> nodes;     ///< Of Scene::instances.
