@@ -46,8 +46,8 @@ const std::vector<Part> kParts = {
 };
 
 /// Of generator, lib/assets sees the plain structs of lights and materials alone.
-const Strings kOfGeneratorForAssets = {"franken/generator/light.h", "franken/generator/pack.h",
-                                       "franken/generator/texture_role.h"};
+const Strings kOfGeneratorForAssets = {"franken/generator/ambient.h", "franken/generator/light.h",
+                                       "franken/generator/pack.h", "franken/generator/texture_role.h"};
 
 bool contains(const Strings& list, const std::string& entry) {
     return std::find(list.begin(), list.end(), entry) != list.end();

@@ -35,8 +35,7 @@ std::string camerasOf(const Scene& scene) {
 void addDefaultLight(Lighting& lighting) {
     lighting.suns.push_back(
         {.direction = {-0.4f, -0.7f, -0.8f}, .color = {1, 0.98f, 0.95f}, .illuminance = 3});
-    lighting.ambient = Ambient::Color;
-    lighting.ambientColor = {0.2f, 0.21f, 0.23f};
+    lighting.ambient = {.kind = Ambient::Color, .color = {0.2f, 0.21f, 0.23f}};
 }
 
 } // namespace
@@ -83,15 +82,13 @@ Result<Lighting> chooseLighting(const Scene& scene, const BakedSky* sky, const O
                          " suns, those of the file and of the sky included, are too many",
                      "one program takes " + std::to_string(Permutation::kMaxLights)};
     if (sky) {
-        lighting.ambient = Ambient::Sky;
-        lighting.sky = sky->coefficients;
+        lighting.ambient = {.kind = Ambient::Sky, .sky = sky->coefficients};
         lighting.reflection = Reflection::Lookup;
     } else if (options.ambient) {
-        lighting.ambient = Ambient::Color;
-        lighting.ambientColor = *options.ambient;
+        lighting.ambient = {.kind = Ambient::Color, .color = *options.ambient};
     }
     const bool dark =
-        lighting.suns.empty() && lighting.punctualLights.empty() && lighting.ambient == Ambient::None;
+        lighting.suns.empty() && lighting.punctualLights.empty() && lighting.ambient.kind == Ambient::None;
     if (dark)
         addDefaultLight(lighting);
     lighting.exposure =

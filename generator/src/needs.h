@@ -21,7 +21,7 @@ struct Needs {
     bool shaded;   ///< The picture is wanted, not a look into the material.
     bool direct;   ///< Suns or punctual lights shine.
     LightForm lightForm;
-    bool ambient;    ///< Ambient light, of either kind.
+    bool ambient;    ///< Ambient light, of any kind.
     bool skyLit;     ///< ... of a sky.
     bool color;      ///< The base colour's RGB is read.
     bool base;       ///< The base colour's RGB or alpha is read.

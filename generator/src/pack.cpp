@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/pack.h"
 
+#include "numbers.h"
+#include "pack_fields.h"
+
 #include <algorithm>
 #include <cassert>
 #include <charconv>
@@ -8,6 +11,7 @@
 #include <cstddef>
 #include <numbers>
 #include <optional>
+#include <span>
 
 namespace franken {
 namespace {
@@ -16,15 +20,6 @@ constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 
 // The coefficients of c^3, c^2 and c of a cubic through (0, 0) and (1, 1), fitted to the sRGB curve.
 constexpr Float3 kDecodeCubic = {0.305306011f, 0.682171111f, 0.012522878f};
-
-Float3 scaled(const Float3& v, float factor) { return {v[0] * factor, v[1] * factor, v[2] * factor}; }
-
-float dot(const Float3& a, const Float3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-Float3 unit(const Float3& v) {
-    const float length2 = dot(v, v);
-    return length2 > 0 ? scaled(v, 1 / std::sqrt(length2)) : v;
-}
 
 // The shadowing's coefficients as the lobes take them, with the rest of the lobe's constants folded in.
 Float3 packLobe(float roughness, Brdf brdf) {
@@ -55,13 +50,8 @@ Float4 packReflectance(float metallic, Brdf brdf) {
     return {kDielectricScatters * (1 - metallic), metallic, dielectric, 1 - dielectric};
 }
 
-// Of what is summed up, and of a light (as in lights/distance_attenuation.fp16).
-constexpr float kMostRadianceFp16 = 4096, kMostOfALightFp16 = 16;
-
-void limit(Float3& color, float most) {
-    for (float& channel : color)
-        channel = std::clamp(channel, -most, most);
-}
+// The most radiance of a light (as in lights/distance_attenuation.fp16).
+constexpr float kMostOfALightFp16 = 16;
 
 } // namespace
 
@@ -98,20 +88,6 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
     return packMaterial(held, brdf, 1);
 }
 
-void packAmbient(LightsBlock& block, const Float3& radiance, float exposure) {
-    block.ambient = scaled(radiance, exposure);
-}
-
-// Ramamoorthi and Hanrahan 2001: E(n) = sum A_l L_lm Y_lm(n) with A = pi, 2 pi / 3, pi / 4. The factors
-// below are A_l / pi times the constant of Y_lm.
-void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure) {
-    constexpr Float9 kFactors = {0.28209479f,         0.48860251f * 2 / 3, 0.48860251f * 2 / 3,
-                                 0.48860251f * 2 / 3, 1.09254843f / 4,     1.09254843f / 4,
-                                 0.31539157f / 4,     1.09254843f / 4,     0.54627422f / 4};
-    for (std::size_t i = 0; i < sky.size(); ++i)
-        block.sky[i] = scaled(sky[i], kFactors[i] * exposure / kDielectricScatters);
-}
-
 void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure) {
     assert(index < Permutation::kMaxLights);
     block.sunDirection[index] = scaled(unit(sun.direction), -1);
@@ -135,9 +111,7 @@ void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLigh
 float lengthScaleFp16(float farthest) { return std::min(1.0f, kMaxLengthFp16 / std::max(farthest, 1.0f)); }
 
 void fitToFp16(LightsBlock& block, float farthest) {
-    limit(block.ambient, kMostRadianceFp16);
-    for (Float3& coefficient : block.sky)
-        limit(coefficient, kMostRadianceFp16);
+    fitToFp16(block.ambient);
     for (Float3& radiance : block.sunRadiance)
         limit(radiance, kMostOfALightFp16);
     for (std::size_t i = 0; i < block.punctualPosition.size(); ++i) {
@@ -159,22 +133,13 @@ Float3 packDither(const std::array<int, 3>& bits) {
 
 namespace {
 
-// A '#' stands for the number of a light; `stride` is how far apart two neighbours' values are.
-struct Field {
-    Block block;
-    std::string_view uniform;
-    std::size_t bytes, stride = 0;
-};
-
-constexpr Field kFields[] = {
+constexpr PackField kFields[] = {
     {Block::Frame, "uCameraPosition", offsetof(FrameBlock, cameraPosition)},
     {Block::Frame, "uClipToSky", offsetof(FrameBlock, clipToSky)},
     {Block::Frame, "uSkyRange", offsetof(FrameBlock, skyRange)},
     {Block::Frame, "uReflectionScale", offsetof(FrameBlock, reflectionScale)},
     {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
     {Block::Frame, "uLengthScale", offsetof(FrameBlock, lengthScale)},
-    {Block::Lights, "uAmbient", offsetof(LightsBlock, ambient)},
-    {Block::Lights, "uSky", offsetof(LightsBlock, sky)},
     {Block::Lights, "uSun#Direction", offsetof(LightsBlock, sunDirection),
      sizeof(LightsBlock::sunDirection[0])},
     {Block::Lights, "uSun#Radiance", offsetof(LightsBlock, sunRadiance), sizeof(LightsBlock::sunRadiance[0])},
@@ -210,7 +175,7 @@ constexpr Field kFields[] = {
 };
 
 // Where the field's value for that uniform is, in bytes, if it is the field's at all.
-std::optional<std::size_t> bytesIn(const Field& field, std::string_view uniform) {
+std::optional<std::size_t> bytesIn(const PackField& field, std::string_view uniform) {
     if (field.stride == 0)
         return field.uniform == uniform ? std::optional(field.bytes) : std::nullopt;
     const std::size_t hash = field.uniform.find('#');
@@ -229,10 +194,11 @@ std::optional<std::size_t> bytesIn(const Field& field, std::string_view uniform)
 } // namespace
 
 int fieldOffset(Block block, std::string_view uniform) {
-    for (const Field& field : kFields)
-        if (field.block == block)
-            if (const auto bytes = bytesIn(field, uniform))
-                return static_cast<int>(*bytes / sizeof(float));
+    for (const auto& fields : std::array{std::span<const PackField>(kFields), ambientFields()})
+        for (const PackField& field : fields)
+            if (field.block == block)
+                if (const auto bytes = bytesIn(field, uniform))
+                    return static_cast<int>(*bytes / sizeof(float));
     return -1;
 }
 

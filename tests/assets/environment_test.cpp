@@ -44,7 +44,7 @@ Environment makeSky(int width, const std::function<glm::vec3(const glm::vec3&)>&
 
 LightsBlock pack(const Environment& sky) {
     LightsBlock block{};
-    packSky(block, skyCoefficients(sky), 1);
+    block.ambient = packAmbient({.kind = Ambient::Sky, .sky = skyCoefficients(sky)}, 1);
     return block;
 }
 
@@ -54,7 +54,8 @@ glm::dvec3 irradianceByCoefficients(const LightsBlock& block, const glm::vec3& n
         1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
     glm::dvec3 sum(0);
     for (std::size_t i = 0; i < 9; ++i)
-        sum += glm::dvec3(block.sky[i][0], block.sky[i][1], block.sky[i][2]) * static_cast<double>(basis[i]);
+        sum += glm::dvec3(block.ambient.sky[i][0], block.ambient.sky[i][1], block.ambient.sky[i][2]) *
+               static_cast<double>(basis[i]);
     return sum * static_cast<double>(kDielectricScatters);
 }
 
@@ -240,8 +241,8 @@ TEST(Environment, SunIsHandedOver) {
     EXPECT_GT(-glm::dot(glm::vec3(sun->direction[0], sun->direction[1], sun->direction[2]), towards),
               0.99995f);
     // The sky lost what the sun has: its zeroth coefficient times 2 sqrt(pi) is the light from everywhere.
-    const float lost =
-        (before.sky[0][0] - pack(sky).sky[0][0]) * 4 * std::numbers::pi_v<float> * kDielectricScatters;
+    const float lost = (before.ambient.sky[0][0] - pack(sky).ambient.sky[0][0]) * 4 *
+                       std::numbers::pi_v<float> * kDielectricScatters;
     EXPECT_NEAR(lost / sun->illuminance, 1, 0.001);
     EXPECT_EQ(radianceFrom(sky, -towards), glm::vec3(0.5f));
     EXPECT_LT(radianceFrom(sky, towards).r, 100);

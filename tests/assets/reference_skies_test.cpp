@@ -98,13 +98,13 @@ glm::vec3 roughDielectric(const Environment& sky, const test::Hit& hit) {
     return sum;
 }
 
-/// Irradiance / pi, as packSky() and ambient/irradiance.glsl make it of nine coefficients.
+/// Irradiance / pi, as packAmbient() and ambient/irradiance.glsl make it of nine coefficients.
 glm::vec3 irradianceByCoefficients(const LightsBlock& lights, const glm::vec3& n) {
     const float basis[9] = {
         1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
     glm::vec3 sum(0);
     for (std::size_t i = 0; i < 9; ++i)
-        sum += basis[i] * glm::vec3(lights.sky[i][0], lights.sky[i][1], lights.sky[i][2]);
+        sum += basis[i] * glm::vec3(lights.ambient.sky[i][0], lights.ambient.sky[i][1], lights.ambient.sky[i][2]);
     return kDielectricScatters * glm::max(sum, 0.0f);
 }
 
@@ -161,7 +161,7 @@ TEST_P(ReferenceSky, SpheresMatchTheTruth) {
 /// truth.
 TEST_P(ReferenceSky, MattSpheresMatchTheTruth) {
     LightsBlock lights{};
-    packSky(lights, skyCoefficients(environment), 1);
+    lights.ambient = packAmbient({.kind = Ambient::Sky, .sky = skyCoefficients(environment)}, 1);
     const test::SkyMaterial material{"", glm::vec3(0.8f), 0};
     double atlas = 0, coefficients = 0, drawn = 0, file = 0;
     const std::vector<Pixel> pixels = pixelsOf(kFolder / (name + ".lambert0.8.png"), 17);

@@ -48,8 +48,7 @@ Scene manyObjects() {
 
 Lighting lights(const Scene& scene) {
     Lighting lighting = lightingOf(scene);
-    lighting.ambient = Ambient::Color;
-    lighting.ambientColor = {0.1f, 0.1f, 0.1f};
+    lighting.ambient = {.kind = Ambient::Color, .color = {0.1f, 0.1f, 0.1f}};
     return lighting;
 }
 

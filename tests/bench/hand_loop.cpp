@@ -52,7 +52,7 @@ HandLoop::HandLoop(const Gl& gl, const Scene& scene, const Lighting& lighting) :
         return std::tie(a.material, a.mesh) < std::tie(b.material, b.mesh);
     });
     const LightsBlock lights = packLighting(lighting, {});
-    copy(lights.ambient, m_ambient);
+    copy(lights.ambient.color, m_ambient);
     copy(lights.sunDirection[0], m_sunDirection);
     copy(lights.sunRadiance[0], m_sunRadiance);
 }

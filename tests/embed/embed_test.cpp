@@ -68,8 +68,8 @@ Shot toShot(const World& world) {
                    .zfar = world.far,
                    .world = glm::inverse(glm::lookAt(world.eye, world.lookAt, glm::vec3(0, 1, 0)))};
     shot.lighting = lightingOf(shot.scene);
-    shot.lighting.ambient = Ambient::Color;
-    shot.lighting.ambientColor = {world.ambient.r, world.ambient.g, world.ambient.b};
+    shot.lighting.ambient = {.kind = Ambient::Color,
+                             .color = {world.ambient.r, world.ambient.g, world.ambient.b}};
     shot.look.toneMap = ToneMap::Neutral;
     return shot;
 }

@@ -47,9 +47,9 @@ TEST_P(CompileTest, TheNamedPermutationsCompileAndLink) {
 /// What the light may be where a file is drawn.
 std::vector<Lighting> lightings(const Scene& scene) {
     Lighting own = lightingOf(scene);
-    own.ambient = Ambient::Color;
+    own.ambient.kind = Ambient::Color;
     Lighting sky;
-    sky.ambient = Ambient::Sky;
+    sky.ambient.kind = Ambient::Sky;
     sky.suns.resize(2);
     return {own, sky};
 }

@@ -29,8 +29,7 @@ Shot richShot(AlphaMode alpha = AlphaMode::Opaque) {
               .camera = framingCamera(builder.scene.bounds(), 1),
               .lighting = lightingOf(builder.scene),
               .look = {.toneMap = ToneMap::Aces, .dither = Dither::Ordered}};
-    shot.lighting.ambient = Ambient::Color;
-    shot.lighting.ambientColor = {0.1f, 0.1f, 0.1f};
+    shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.1f, 0.1f, 0.1f}};
     return shot;
 }
 

@@ -43,17 +43,15 @@ const Row kRows[] = {
      }},
     {"ambient light",
      [](Shot& shot) {
-         shot.lighting.ambient = Ambient::Color;
-         shot.lighting.ambientColor = {0.4f, 0.3f, 0.2f};
+         shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.4f, 0.3f, 0.2f}};
      }},
     {"a sky",
      [](Shot& shot) {
-         shot.lighting.ambient = Ambient::Sky;
-         shot.lighting.sky = skyCoefficients(plainSky());
+         shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(plainSky())};
      }},
     {"a sky that is mirrored",
      [](Shot& shot) {
-         shot.lighting.ambient = Ambient::Sky;
+         shot.lighting.ambient.kind = Ambient::Sky;
          shot.lighting.reflection = Reflection::Lookup;
          shot.reflection = ReflectionMaps{{texel(255, 220, 180, 100), 2}, reflectionLookup()};
          shot.scene.materials[0].metallic = 0.5f;
@@ -100,8 +98,7 @@ TEST_P(ExposureTest, ChangedAloneIsSeenAndMultipliesAllLight) {
 
 Lighting reflecting() {
     Lighting lighting;
-    lighting.ambient = Ambient::Sky;
-    lighting.sky = skyCoefficients(plainSky());
+    lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(plainSky())};
     lighting.reflection = Reflection::Lookup;
     return lighting;
 }
@@ -113,8 +110,7 @@ const std::pair<const char*, void (*)(Lighting&)> kChanges[] = {
     {"the sky is mirrored again", [](Lighting& lighting) { lighting.reflection = Reflection::Lookup; }},
     {"ambient light",
      [](Lighting& lighting) {
-         lighting.ambient = Ambient::Color;
-         lighting.ambientColor = {0.1f, 0.2f, 0.3f};
+         lighting.ambient = {.kind = Ambient::Color, .color = {0.1f, 0.2f, 0.3f}};
      }},
     {"a sun",
      [](Lighting& lighting) {
@@ -130,7 +126,7 @@ const std::pair<const char*, void (*)(Lighting&)> kChanges[] = {
          lighting.punctualLights[0].outerCone = 0.2f;
      }},
     {"no sun", [](Lighting& lighting) { lighting.suns.clear(); }},
-    {"no ambient light", [](Lighting& lighting) { lighting.ambient = Ambient::None; }},
+    {"no ambient light", [](Lighting& lighting) { lighting.ambient.kind = Ambient::None; }},
 };
 
 using LightingTest = PictureTest;

@@ -30,7 +30,7 @@ glm::mat3 doubled() { return {2, 0, 0, 0, 2, 0, 0, 0, 1}; }
 std::string nameOf(const Material& material, const VertexContents& contents = kAll, const Log& log = {}) {
     const MaterialPlan plan = planMaterial(sceneWith(material), 0, contents, log);
     Lighting lighting;
-    lighting.ambient = Ambient::Color;
+    lighting.ambient.kind = Ambient::Color;
     lighting.suns.resize(1);
     const Result<Permutation> permutation = permutationOf(plan, lighting, {});
     return permutation ? toName(*permutation) : toString(permutation.error());

@@ -114,11 +114,11 @@ const std::vector<Misuse> kFrames = {
     {"NegativeRange", "renderer.lighting", drawLit([](Lighting& l) { l.punctualLights[0].range = -1; })},
     {"ConeNotANumber", "renderer.lighting",
      drawLit([](Lighting& l) { l.punctualLights[0].outerCone = kNan; })},
-    {"AmbientNotANumber", "renderer.lighting", drawLit([](Lighting& l) { l.ambientColor[1] = kNan; })},
-    {"SkyNotANumber", "renderer.lighting", drawLit([](Lighting& l) { l.sky[4][1] = kNan; })},
+    {"AmbientNotANumber", "renderer.lighting", drawLit([](Lighting& l) { l.ambient.color[1] = kNan; })},
+    {"SkyNotANumber", "renderer.lighting", drawLit([](Lighting& l) { l.ambient.sky[4][1] = kNan; })},
     {"InfiniteExposure", "renderer.lighting", drawLit([](Lighting& l) { l.exposure = kInfinity; })},
     {"NegativeExposure", "renderer.lighting", drawLit([](Lighting& l) { l.exposure = -1; })},
-    {"AmbientOfNoKind", "permutation.range", drawLit([](Lighting& l) { l.ambient = Ambient(77); })},
+    {"AmbientOfNoKind", "permutation.range", drawLit([](Lighting& l) { l.ambient.kind = Ambient(77); })},
     {"BrdfOfNoKind", "permutation.range",
      [](Stage& stage) {
          stage.renderer.setLook({.brdf = Brdf(9)});

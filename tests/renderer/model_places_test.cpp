@@ -36,8 +36,7 @@ Camera camera() {
 Lighting sunny() {
     Lighting lighting;
     lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
-    lighting.ambient = Ambient::Color;
-    lighting.ambientColor = {0.2f, 0.2f, 0.2f};
+    lighting.ambient = {.kind = Ambient::Color, .color = {0.2f, 0.2f, 0.2f}};
     return lighting;
 }
 
@@ -263,8 +262,7 @@ TEST_P(PlacesTest, ATurnedSkyIsSeenAsByATurnedCamera) {
     builder.add(sphere(16), builder.addMaterial(clay), glm::mat4(at(1, 0, 0)));
     Lighting lighting;
     lighting.suns = {*sun};
-    lighting.ambient = Ambient::Sky;
-    lighting.sky = skyCoefficients(sky);
+    lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(sky)};
     lighting.reflection = Reflection::Lookup;
     lighting.punctualLights = {{.position = {0, 2, 2}, .intensity = 3}};
     Renderer renderer(gl());

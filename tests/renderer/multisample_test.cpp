@@ -164,8 +164,7 @@ TEST_P(MultisampleTest, TheInteriorOfAModelIsAsWithout) {
     material.roughness = 0.4f;
     Shot shot = tilted(material, builder);
     shot.lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
-    shot.lighting.ambient = Ambient::Color;
-    shot.lighting.ambientColor = {0.3f, 0.3f, 0.3f};
+    shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.3f, 0.3f, 0.3f}};
     const ReadBack plain = draw(m_plain, shot), smooth = draw(m_smooth, shot);
     int interior = 0, edges = 0, softened = 0;
     for (int y = 0; y < kSize; ++y)

@@ -82,8 +82,7 @@ Shot packed() {
         material.occlusionTexture.texture = material.metallicRoughnessTexture.texture;
         material.occlusionStrength = 0.8f;
     });
-    shot.lighting.ambient = Ambient::Color;
-    shot.lighting.ambientColor = {0.3f, 0.3f, 0.35f};
+    shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.3f, 0.3f, 0.35f}};
     return shot;
 }
 
@@ -92,8 +91,7 @@ Shot occluded() {
         material.occlusionTexture.texture = addPacked(builder);
     });
     shot.lighting.suns.clear();
-    shot.lighting.ambient = Ambient::Color;
-    shot.lighting.ambientColor = {0.5f, 0.6f, 0.7f};
+    shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.5f, 0.6f, 0.7f}};
     return shot;
 }
 
@@ -246,8 +244,7 @@ Shot underSky() {
     Shot shot = dressedBall([](SceneBuilder&, Material&) {});
     const Environment sky = makeSky();
     shot.lighting.suns.clear();
-    shot.lighting.ambient = Ambient::Sky;
-    shot.lighting.sky = skyCoefficients(sky);
+    shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(sky)};
     shot.skybox = encodeSkybox(sky, 64);
     shot.look.toneMap = ToneMap::Neutral;
     return shot;

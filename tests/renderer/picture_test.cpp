@@ -96,8 +96,7 @@ TEST_P(PictureGolden, TheUrnOfMakeModel) {
     shot.camera = framingCamera(shot.scene.bounds(), 4.0 / 3);
     if (shot.lighting.suns.empty())
         shot.lighting.suns.push_back({.direction = {-0.4f, -0.7f, -0.8f}, .illuminance = 3});
-    shot.lighting.ambient = Ambient::Color;
-    shot.lighting.ambientColor = {0.3f, 0.3f, 0.3f};
+    shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.3f, 0.3f, 0.3f}};
     check("urn", shot);
 }
 
@@ -107,8 +106,7 @@ TEST_P(PictureGolden, AModelByOthers) {
     Shot shot = shotOf(kEngine);
     shot.camera = framingCamera(shot.scene.bounds(), 4.0 / 3);
     shot.lighting.suns = {{.direction = {-0.4f, -0.7f, -0.8f}, .illuminance = 3}};
-    shot.lighting.ambient = Ambient::Color;
-    shot.lighting.ambientColor = {0.2f, 0.2f, 0.2f};
+    shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.2f, 0.2f, 0.2f}};
     check("engine", shot);
 }
 

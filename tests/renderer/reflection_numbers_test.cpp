@@ -20,7 +20,7 @@ void useFactors(Material& material, float metallic = kMetallic / 255.0f,
 
 Shot mirroring(const SceneBuilder& builder, ReflectionMaps maps) {
     Shot shot = filledBy(builder);
-    shot.lighting.ambient = Ambient::Sky;
+    shot.lighting.ambient.kind = Ambient::Sky;
     shot.lighting.reflection = Reflection::Lookup;
     shot.reflection = std::move(maps);
     return shot;

@@ -51,8 +51,7 @@ const SceneSource kGreenSource = [] { return ++reads, Result<Scene>(green()); };
 Lighting sunny() {
     Lighting lighting;
     lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
-    lighting.ambient = Ambient::Color;
-    lighting.ambientColor = {0.2f, 0.2f, 0.2f};
+    lighting.ambient = {.kind = Ambient::Color, .color = {0.2f, 0.2f, 0.2f}};
     return lighting;
 }
 
@@ -183,7 +182,7 @@ TEST_P(ResidencyTest, ALostContextIsRebuiltFromItsSources) {
     const ReflectionMaps reflection = {{paint(32, grey), 1}, paint(16, grey)};
     Renderer renderer(recordingGl(gl()));
     Lighting lighting = sunny();
-    lighting.ambient = Ambient::Sky;
+    lighting.ambient.kind = Ambient::Sky;
     lighting.reflection = Reflection::Lookup;
     renderer.setLighting(lighting);
     ASSERT_TRUE(renderer.load(red(), kRedSource));

@@ -42,9 +42,9 @@ Shot seedShot() {
     Shot shot{.scene = builder.scene, .camera = {}, .lighting = lightingOf(builder.scene)};
     shot.camera.yfov = 0.6f;
     shot.camera.world[3] = {0, 0, 4, 1};
-    shot.lighting.ambient = Ambient::Color;
+    shot.lighting.ambient.kind = Ambient::Color;
     for (int i = 0; i < 3; ++i)
-        shot.lighting.ambientColor[static_cast<std::size_t>(i)] = std::pow(kAmbientInGamma[i], 2.2f);
+        shot.lighting.ambient.color[static_cast<std::size_t>(i)] = std::pow(kAmbientInGamma[i], 2.2f);
     shot.look = {.brdf = Brdf::Seed, .decode = Decode::None, .output = Output::Linear};
     return shot;
 }

@@ -34,8 +34,7 @@ const Sky* venice() {
 }
 
 void lightBy(const Sky& sky, Shot& shot) {
-    shot.lighting.ambient = Ambient::Sky;
-    shot.lighting.sky = sky.coefficients;
+    shot.lighting.ambient = {.kind = Ambient::Sky, .sky = sky.coefficients};
     shot.lighting.reflection = Reflection::Lookup;
     shot.reflection = sky.reflection;
 }

@@ -193,8 +193,7 @@ TEST_P(SurfaceNumbers, EachTextureHasItsCoordinatesAndTransform) {
         // rest.
         expectRamps(draw(shot), row.glowSet, row.glow);
         shot.scene.materials[0].emissive = glm::vec3(1e-6f);
-        shot.lighting.ambient = Ambient::Color;
-        shot.lighting.ambientColor = {1, 1, 1};
+        shot.lighting.ambient = {.kind = Ambient::Color, .color = {1, 1, 1}};
         expectRamps(draw(shot), row.baseSet, row.base);
     }
 }
@@ -278,8 +277,7 @@ std::vector<Lighting> oneSidedLights() {
     all[1].suns = {{.direction = {0.3f, -0.2f, 1}, .illuminance = 2}}; // Behind what is seen.
     for (const bool front : {true, false}) {
         Lighting& lighting = all[front ? 2 : 3];
-        lighting.ambient = Ambient::Sky;
-        lighting.sky = skyCoefficients(skyBrightAt(front));
+        lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(skyBrightAt(front))};
     }
     return all;
 }

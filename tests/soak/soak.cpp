@@ -97,8 +97,8 @@ private:
     void changeSky(bool visible) {
         Lighting lighting;
         lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
-        lighting.ambient = visible ? Ambient::Sky : Ambient::Color;
-        lighting.sky[0] = {1, 1, 1};
+        lighting.ambient.kind = visible ? Ambient::Sky : Ambient::Color;
+        lighting.ambient.sky[0] = {1, 1, 1};
         m_renderer.setLighting(lighting);
         require("sky", m_renderer.setSkybox(visible ? &m_sky : nullptr,
                                             [this] { return Result<SkyboxMap>(m_sky); }));

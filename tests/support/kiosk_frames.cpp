@@ -54,17 +54,16 @@ std::vector<Lighting> lightsOnAndOff() {
     PunctualLight spot = point;
     spot.spot = true;
     Lighting dark, day, dusk, night, sky;
-    dark.ambient = Ambient::Color;
-    dark.ambientColor = {0.2f, 0.2f, 0.2f};
+    dark.ambient = {.kind = Ambient::Color, .color = {0.2f, 0.2f, 0.2f}};
     day = dark;
     day.suns = {sun, sun};
     dusk = dark;
     dusk.suns = {sun};
     dusk.punctualLights = {point};
     night.punctualLights = {spot, spot, point};
-    sky.ambient = Ambient::Sky;
+    sky.ambient.kind = Ambient::Sky;
     sky.reflection = Reflection::Lookup;
-    sky.sky[0] = {1, 1, 1};
+    sky.ambient.sky[0] = {1, 1, 1};
     sky.suns = {sun};
     return {dark, day, dusk, night, sky};
 }

@@ -60,7 +60,7 @@ void Pbr::beginFrame(const World& world, float aspect) {
                        glm::lookAt(world.eye, world.lookAt, {0, 1, 0});
     m_frame.edit().cameraPosition = toFloat3(world.eye);
     LightsBlock& lights = m_lights.edit();
-    packAmbient(lights, toFloat3(world.ambient), 1);
+    lights.ambient = packAmbient({.kind = Ambient::Color, .color = toFloat3(world.ambient)}, 1);
     packSun(lights, 0, {.direction = toFloat3(world.sunDirection), .illuminance = world.sunLux}, 1);
     packPunctualLight(lights, 0,
                       {.position = toDouble3(world.lampPosition),

@@ -24,16 +24,9 @@ bool isFinite(const Vector& vector) {
     return areFinite(std::span(glm::value_ptr(vector), sizeof(vector) / sizeof(*glm::value_ptr(vector))));
 }
 
-bool isLight(const Float3& color) {
-    return areFinite(color) &&
-           std::all_of(color.begin(), color.end(), [](float value) { return value >= 0; });
-}
-
 bool isAmount(float value) { return std::isfinite(value) && value >= 0; }
 
-bool isDirection(const Float3& vector) {
-    return areFinite(vector) && std::hypot(vector[0], vector[1], vector[2]) > 0;
-}
+constexpr const char* kUnchanged = "pass another value; nothing was changed or drawn";
 
 bool isRotation(const glm::dquat& rotation) {
     const double length = glm::length(rotation);
@@ -57,48 +50,30 @@ struct Element {
 Result<void> checkRules(const char* code, std::optional<Element> element, std::initializer_list<Rule> rules) {
     for (const Rule& rule : rules)
         if (!rule.holds)
-            return Error{code, (element ? element->text() : "") + rule.where, rule.what,
-                         "pass another value; nothing was changed or drawn"};
+            return Error{code, (element ? element->text() : "") + rule.where, rule.what, kUnchanged};
     return {};
 }
 
 constexpr const char* kAmount = "it must be finite, and 0 or more";
 
-Result<void> check(const Sun& sun, const Element& name) {
-    return checkRules("renderer.lighting", name,
-                      {{isDirection(sun.direction), ".direction", "it must be finite, and not 0"},
-                       {isLight(sun.color), ".color", kAmount},
-                       {isAmount(sun.illuminance), ".illuminance", kAmount}});
-}
-
-Result<void> check(const PunctualLight& light, const Element& name) {
-    return checkRules(
-        "renderer.lighting", name,
-        {{areFinite(light.position), ".position", "it must be finite"},
-         {isDirection(light.direction) || !light.spot, ".direction", "it must be finite, and not 0"},
-         {isLight(light.color), ".color", kAmount},
-         {isAmount(light.intensity), ".intensity", kAmount},
-         {isAmount(light.range), ".range", kAmount},
-         {isAmount(light.innerCone) || !light.spot, ".innerCone", kAmount},
-         {isAmount(light.outerCone) || !light.spot, ".outerCone", kAmount}});
+Error lightError(const LightFault& fault, const std::string& light) {
+    return {"renderer.lighting", light + "." + std::string(fault.where), std::string(fault.what), kUnchanged};
 }
 
 } // namespace
 
 Result<void> check(const Lighting& lighting) {
     for (std::size_t i = 0; i < lighting.suns.size(); ++i)
-        if (Result<void> checked = check(lighting.suns[i], {"suns", i}); !checked)
-            return checked;
+        if (const auto fault = faultOf(lighting.suns[i]))
+            return lightError(*fault, Element{"suns", i}.text());
     for (std::size_t i = 0; i < lighting.punctualLights.size(); ++i)
-        if (Result<void> checked = check(lighting.punctualLights[i], {"punctualLights", i}); !checked)
-            return checked;
-    const bool skyIsFinite = std::all_of(lighting.sky.begin(), lighting.sky.end(),
-                                         [](const auto& coefficient) { return areFinite(coefficient); });
+        if (const auto fault = faultOf(lighting.punctualLights[i]))
+            return lightError(*fault, Element{"punctualLights", i}.text());
+    if (const auto fault = faultOf(lighting.ambient))
+        return lightError(*fault, "ambient");
     return checkRules("renderer.lighting", {},
-                      {{isLight(lighting.ambientColor), "ambientColor", kAmount},
-                       {isRotation(lighting.skyRotation), "skyRotation", "it must be finite, and not 0"},
-                       {skyIsFinite, "sky", "its coefficients must be finite"},
-                       {std::isfinite(lighting.exposure) && lighting.exposure >= 0, "exposure", kAmount}});
+                      {{isRotation(lighting.skyRotation), "skyRotation", "it must be finite, and not 0"},
+                       {isAmount(lighting.exposure), "exposure", kAmount}});
 }
 
 Result<void> check(const Viewpoint& viewpoint) {

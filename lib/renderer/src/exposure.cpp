@@ -8,37 +8,9 @@
 #include <numbers>
 
 namespace franken {
-namespace {
-
-// Rec. ITU-R BT.709, of linear colours.
-double luminance(const Float3& color) { return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2]; }
-
-/// Irradiance over pi along +-X, +-Y and +-Z, the most of them: the polynomial that packSky() folds.
-double brightestSide(const SkyCoefficients& sky) {
-    LightsBlock block{};
-    packSky(block, sky, kDielectricScatters);
-    const auto at = [&block](std::size_t i) { return luminance(block.sky[i]); };
-    const double x = std::abs(at(3)) + at(0) - at(6) + at(8), y = std::abs(at(1)) + at(0) - at(6) - at(8),
-                 z = std::abs(at(2)) + at(0) + 2 * at(6);
-    return std::max({x, y, z, 0.0});
-}
-
-double ambientOf(const Lighting& lighting) {
-    switch (lighting.ambient) {
-    case Ambient::None:
-        return 0;
-    case Ambient::Color:
-        return luminance(lighting.ambientColor);
-    case Ambient::Sky:
-        return brightestSide(lighting.sky);
-    }
-    return 0;
-}
-
-} // namespace
 
 float autoExposure(const Lighting& lighting, const Box& bounds) {
-    double light = std::numbers::pi * ambientOf(lighting); // lux
+    double light = std::numbers::pi * brightestSide(lighting.ambient); // lux
     for (const Sun& sun : lighting.suns)
         light += luminance(sun.color) * sun.illuminance;
     const glm::dvec3 center = bounds.empty() ? glm::dvec3(0) : 0.5 * (bounds.min + bounds.max);

@@ -17,7 +17,7 @@ bool sameShape(const Lighting& a, const Lighting& b) {
                            [](const PunctualLight& light) { return light.spot; });
     };
     return a.suns.size() == b.suns.size() && a.punctualLights.size() == b.punctualLights.size() &&
-           spots(a) == spots(b) && a.ambient == b.ambient && a.reflection == b.reflection &&
+           spots(a) == spots(b) && a.ambient.kind == b.ambient.kind && a.reflection == b.reflection &&
            a.exposure == b.exposure;
 }
 

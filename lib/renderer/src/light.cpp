@@ -152,8 +152,7 @@ LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye) {
     if (lighting.suns.size() > kMost || lighting.punctualLights.size() > kMost)
         return packLighting(fittedLighting(lighting), eye);
     LightsBlock block{};
-    packAmbient(block, lighting.ambientColor, lighting.exposure);
-    packSky(block, lighting.sky, lighting.exposure);
+    block.ambient = packAmbient(lighting.ambient, lighting.exposure);
     const glm::dmat3 toSky = skyFromWorld(lighting);
     for (std::size_t i = 0; i < lighting.suns.size(); ++i)
         packSun(block, i, inSky(lighting.suns[i], toSky), lighting.exposure);

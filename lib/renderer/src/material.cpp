@@ -218,8 +218,8 @@ Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& ligh
     apply(look, permutation);
     if (plan.fine)
         permutation.lightVectors = look.lightVectors;
-    permutation.ambient = lighting.ambient;
-    if (lighting.ambient == Ambient::Sky)
+    permutation.ambient = lighting.ambient.kind;
+    if (lighting.ambient.kind == Ambient::Sky)
         permutation.reflection = lighting.reflection;
     permutation.suns = static_cast<std::uint8_t>(lighting.suns.size());
     permutation.punctualLights = static_cast<std::uint8_t>(lighting.punctualLights.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The sky's irradiance, by nine coefficients. Their cosine lobe, the basis' constants and 1/pi lie in the
-// coefficients (packSky).
+// coefficients (packAmbient).
 //! declarations
 uniform vec3 uSky[9]; // lights: linear; order 1, y, z, x, xy, yz, 3z^2-1, xz, x^2-y^2
 //! functions

@@ -4,10 +4,13 @@
 #include "franken/api.h"
 
 #include <array>
+#include <optional>
+#include <string_view>
 
 namespace FRANKEN_API franken {
 
-// Lights as applications give them; pack.h folds them for programs.
+// Lights with a direction or a place, as applications give them (ambient.h has the light from all around);
+// pack.h folds them for programs.
 
 using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
@@ -36,8 +39,19 @@ struct PunctualLight {
     float outerCone = 0.78539816f; ///< radians, up to pi/2
 };
 
-/// What a sky sends to a surface, as the first nine coefficients of its radiance in real spherical
-/// harmonics, each RGB, in the order (l, m) = (0,0) (1,-1) (1,0) (1,1) (2,-2) (2,-1) (2,0) (2,1) (2,2).
-using SkyCoefficients = std::array<Float3, 9>;
+/// What is wrong with a light's numbers: the member, and the rule that it breaks.
+struct LightFault {
+    std::string_view where; ///< "direction"
+    std::string_view what;  ///< "it must be finite, and not 0"
+};
+
+/// The first fault, if there is one.
+std::optional<LightFault> faultOf(const Sun& sun);
+std::optional<LightFault> faultOf(const PunctualLight& light);
+
+/// Of a linear colour, by Rec. ITU-R BT.709.
+constexpr double luminance(const Float3& color) {
+    return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+}
 
 } // namespace franken

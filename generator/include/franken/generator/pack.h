@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/generator/ambient.h"
 #include "franken/generator/interface.h"
 #include "franken/generator/light.h"
 #include "franken/generator/permutation.h"
@@ -79,8 +80,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure, Precision precision);
 
 struct LightsBlock {
-    Float3 ambient;
-    std::array<Float3, 9> sky;
+    AmbientBlock ambient;                                         ///< See packAmbient()
     std::array<Float3, Permutation::kMaxLights> sunDirection;     ///< Towards the sun, unit
     std::array<Float3, Permutation::kMaxLights> sunRadiance;      ///< Irradiance / pi
     std::array<Float4, Permutation::kMaxLights> punctualPosition; ///< From the eye, m; 1 / range^2
@@ -94,11 +94,6 @@ struct LightsBlock {
 
 /// Each writes one light's share of the block. Exposure multiplies all light, so that it costs nothing per
 /// pixel. index: 0 to kMaxLights - 1.
-///
-/// packSky() divides by kDielectricScatters. Only programs without the sky's reflection take coefficients:
-/// there a dielectric scatters what it would reflect as well, and a white one shows the irradiance over pi.
-void packAmbient(LightsBlock& block, const Float3& radiance, float exposure);
-void packSky(LightsBlock& block, const SkyCoefficients& sky, float exposure);
 void packSun(LightsBlock& block, std::size_t index, const Sun& sun, float exposure);
 void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLight& light,
                        const Double3& cameraPosition, float exposure);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/generator/ambient.h"
 #include "franken/result.h"
 
 #include <array>
@@ -69,12 +70,6 @@ enum class Brdf : std::uint8_t {
     Seed,    ///< Schlick-GGX with k = (roughness + 1)^2 / 8, denominator kept above 0.001.
     Fast,    ///< Hammon 2017: visibility 0.5 / mix(2 nL nV, nL + nV, alpha).
     Schlick, ///< Schlick-GGX with k = alpha / 2.
-};
-
-enum class Ambient : std::uint8_t {
-    None,
-    Color, ///< The same light from everywhere.
-    Sky,   ///< Irradiance of a sky, as nine spherical-harmonics coefficients.
 };
 
 /// The reflection of the sky, besides its irradiance: by the specular lobe of glTF's BRDF, even where suns

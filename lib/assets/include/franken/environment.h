@@ -59,15 +59,15 @@ struct SkyLimits {
 /// - a folder with six pictures, whose names without extension are, or end in, px nx py ny pz nz after a
 ///   character that is no letter;
 /// - an HDRE environment (.hdre) of 32-bit floats: its level 0, Layout::Cube.
-/// Pictures are Radiance .hdr (its EXPOSURE and GAMMA lines are not applied, as in most programs), OpenEXR (one
-/// part of lines or tiles; R, G and B, or Y; not packed, or by RLE, ZIP or PIZ; in builds with tinyexr), or PNG
-/// and JPEG, which are taken as sRGB. The squares of crosses and the faces of folders are oriented as cube map
-/// faces; seen by a person, each is then a mirror image, and neighbours in a cross fit together.
+/// Pictures are Radiance .hdr (its EXPOSURE and GAMMA lines are not applied, as in most programs), OpenEXR
+/// (one part of lines or tiles; R, G and B, or Y; not packed, or by RLE, ZIP or PIZ; in builds with tinyexr),
+/// or PNG and JPEG, which are taken as sRGB. The squares of crosses and the faces of folders are oriented as
+/// cube map faces; seen by a person, each is then a mirror image, and neighbours in a cross fit together.
 ///
 /// Files may be broken, or an enemy's. Fails with "sky.file" (cannot be read, or too large), "sky.shape"
 /// (another aspect ratio, faces missing or of different sizes), "sky.limit" (more memory than `limits`
-/// allow), "hdr.format", "hdr.size", "hdre.format", "hdre.size", "exr.format", "exr.size", "exr.absent" (a build
-/// without tinyexr) or an error of decodeImage().
+/// allow), "hdr.format", "hdr.size", "hdre.format", "hdre.size", "exr.format", "exr.size", "exr.absent" (a
+/// build without tinyexr) or an error of decodeImage().
 Result<Environment> loadEnvironment(const std::filesystem::path& path, const SkyLimits& limits = {});
 
 /// Loads a sky from six pictures in the order +X, -X, +Y, -Y, +Z, -Z. Fails as the function above does.
@@ -78,8 +78,8 @@ Result<Environment> loadEnvironment(const std::array<std::filesystem::path, 6>& 
 glm::vec3 radianceFrom(const Environment& sky, const glm::vec3& direction);
 
 /// Projects the radiance of all texels, each weighted by its solid angle, on the first nine real spherical
-/// harmonics. packSky() makes an irradiance of them (Ramamoorthi and Hanrahan, "An Efficient Representation
-/// for Irradiance Environment Maps", 2001).
+/// harmonics. packAmbient() makes an irradiance of them (Ramamoorthi and Hanrahan, "An Efficient
+/// Representation for Irradiance Environment Maps", 2001).
 SkyCoefficients skyCoefficients(const Environment& sky);
 
 /// Cuts the sun out of a sky and returns it as a light, so that textures of the sky need not hold its range

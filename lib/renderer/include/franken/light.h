@@ -20,13 +20,11 @@ namespace FRANKEN_API franken {
 struct Lighting {
     std::vector<Sun> suns;                     ///< See fittedLighting().
     std::vector<PunctualLight> punctualLights; ///< See fittedLighting().
-    Ambient ambient = Ambient::None;           ///< Which of the next two is used.
-    Float3 ambientColor{0, 0, 0};              ///< Linear radiance, 0 and up.
-    SkyCoefficients sky{};
-    /// From the sky to the world: turns the skybox, `sky`, the reflection, and suns that are the sky's own
-    /// (Sun::ofSky). About up: glm::angleAxis(angle, glm::dvec3(0, 1, 0)). Any length but 0. Costs nothing in
-    /// a shader: the world is handed to programs as the sky sees it. A frame after a change computes the
-    /// matrices of all objects again.
+    AmbientLight ambient;
+    /// From the sky to the world: turns the skybox, `ambient.sky`, the reflection, and suns that are the
+    /// sky's own (Sun::ofSky). About up: glm::angleAxis(angle, glm::dvec3(0, 1, 0)). Any length but 0. Costs
+    /// nothing in a shader: the world is handed to programs as the sky sees it. A frame after a change
+    /// computes the matrices of all objects again.
     glm::dquat skyRotation{1, 0, 0, 0};
     /// Beside Ambient::Sky: whether surfaces reflect the sky that the renderer was given
     /// (Renderer::setReflection).
