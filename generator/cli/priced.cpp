@@ -25,11 +25,9 @@ public:
     }
 
     Result<void> measure(const QpuCompiler& compiler, const Gpu& gpu) {
-        auto costs = compiler.measure(gpu, m_permutations);
-        if (!costs)
-            return costs.error();
-        m_costs = *std::move(costs);
-        return {};
+        return compiler.measure(gpu, m_permutations).transform([this](std::vector<Cost> costs) {
+            m_costs = std::move(costs);
+        });
     }
 
     const Cost& operator[](const Permutation& permutation) const {

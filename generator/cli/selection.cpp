@@ -17,12 +17,7 @@ namespace {
 
 constexpr std::size_t kMostMisfits = 100'000; // About a second.
 
-Result<Permutation> permutationOfKey(std::string_view hex) {
-    const Result<Key> key = parseHex(hex);
-    if (!key)
-        return key.error();
-    return fromKey(*key);
-}
+Result<Permutation> permutationOfKey(std::string_view hex) { return parseHex(hex).and_then(fromKey); }
 
 using Permutations = std::vector<Permutation>;
 

@@ -140,11 +140,9 @@ Result<void> addLine(Snippet& snippet, Section& section, std::string_view line, 
     const auto kind = &section == &snippet.declarations ? findKind(line) : std::nullopt;
     if (!kind)
         return {};
-    auto declaration = parseDeclaration(line, *kind, snippet.name, number);
-    if (!declaration)
-        return declaration.error();
-    snippet.interface.push_back(std::move(*declaration));
-    return {};
+    return parseDeclaration(line, *kind, snippet.name, number).transform([&](Declaration declaration) {
+        snippet.interface.push_back(std::move(declaration));
+    });
 }
 
 } // namespace

@@ -76,10 +76,8 @@ Result<void> Cec::send(int from, int to, std::initializer_list<unsigned char> me
 }
 
 Result<void> Cec::standby() {
-    const Result<int> self = becomePlayer();
-    if (!self)
-        return self.error();
-    return send(*self, CEC_LOG_ADDR_TV, {CEC_MSG_STANDBY});
+    return becomePlayer().and_then(
+        [this](int self) { return send(self, CEC_LOG_ADDR_TV, {CEC_MSG_STANDBY}); });
 }
 
 Result<void> Cec::wake() {

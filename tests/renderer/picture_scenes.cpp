@@ -240,13 +240,21 @@ Environment makeSky() {
     return sky;
 }
 
-Shot underSky() {
-    Shot shot = dressedBall([](SceneBuilder&, Material&) {});
+/// Lit by that sky alone, which is seen behind it.
+Shot underSky(Shot shot) {
     const Environment sky = makeSky();
     shot.lighting.suns.clear();
     shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(sky)};
     shot.skybox = encodeSkybox(sky, 64);
     shot.look.toneMap = ToneMap::Neutral;
+    return shot;
+}
+
+/// A perfect mirror: it shows the sky, and its bright spot.
+Shot mirrored() {
+    Shot shot = underSky(ball(plain(1, 0)));
+    shot.lighting.reflection = Reflection::Lookup;
+    shot.reflection = {filterReflection(makeSky()), reflectionLookup()};
     return shot;
 }
 
@@ -347,7 +355,7 @@ std::vector<PictureRow> pictureRows() {
     return {
         {"dielectric", [] { return ball(plain(0, 0.3f)); }},
         {"metal", [] { return ball(plain(1, 0.3f)); }},
-        {"mirror", [] { return ball(plain(1, 0)); }},
+        {"mirror", mirrored},
         {"base_color_texture", textured},
         {"normal_map", bumpy},
         {"packed_textures", packed},
@@ -367,7 +375,7 @@ std::vector<PictureRow> pictureRows() {
         {"point_lights", [] { return punctualLights(Light::Kind::Point); }},
         {"spots", [] { return punctualLights(Light::Kind::Spot); }},
         {"suns_and_punctual_lights", sunsAndPunctualLights},
-        {"sky", underSky},
+        {"sky", [] { return underSky(dressedBall([](SceneBuilder&, Material&) {})); }},
         {"tone_none", [] { return toneMapped(ToneMap::None); }},
         {"tone_aces", [] { return toneMapped(ToneMap::Aces); }},
         {"tone_neutral", [] { return toneMapped(ToneMap::Neutral); }},

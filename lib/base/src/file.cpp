@@ -76,10 +76,9 @@ Result<std::optional<std::vector<std::uint8_t>>> readFileIfThere(const fs::path&
         return std::optional<std::vector<std::uint8_t>>();
     if (!file)
         return openError(path, std::strerror(errno));
-    auto bytes = readOpen(file.number(), path, maxBytes);
-    if (!bytes)
-        return bytes.error();
-    return std::optional(*std::move(bytes));
+    return readOpen(file.number(), path, maxBytes).transform([](auto bytes) {
+        return std::optional(std::move(bytes));
+    });
 }
 
 Result<fs::path> findBelow(const fs::path& folder, const fs::path& name) {

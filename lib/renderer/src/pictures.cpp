@@ -30,12 +30,10 @@ const Pictures::Picture* Pictures::find(PictureId id) const {
 }
 
 Result<void> Pictures::upload(Picture& picture, const Image& image) {
-    Result<GpuTexture> uploaded = checkedUpload(
-        m_device, [&] { return uploadTexture(m_device, image, kPlainSampling, TextureContents::Color); });
-    if (!uploaded)
-        return uploaded.error();
-    picture.texture = *std::move(uploaded);
-    return {};
+    return checkedUpload(
+               m_device,
+               [&] { return uploadTexture(m_device, image, kPlainSampling, TextureContents::Color); })
+        .transform([&picture](GpuTexture texture) { picture.texture = std::move(texture); });
 }
 
 Result<void> Pictures::makeResident(Picture& picture) {

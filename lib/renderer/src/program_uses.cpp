@@ -56,10 +56,7 @@ Result<std::vector<ProgramUse>> usesOf(const Scene& scene, const Lighting& light
 }
 
 Result<ProgramUse> skyboxUse(const Look& look) {
-    const Result<Permutation> permutation = skyPermutation(look);
-    if (!permutation)
-        return permutation.error();
-    return ProgramUse{*permutation, {}};
+    return skyPermutation(look).transform([](const Permutation& sky) { return ProgramUse{sky, {}}; });
 }
 
 } // namespace franken

@@ -48,11 +48,9 @@ Result<ReflectionTextures::Textures> ReflectionTextures::made(const ReflectionMa
 Result<void> ReflectionTextures::upload(const ReflectionMaps& maps) {
     if (Result<void> checked = checkRange(maps.atlas.range); !checked)
         return checked;
-    Result<Textures> uploaded = checkedUpload(m_device, [&] { return made(maps); });
-    if (!uploaded)
-        return uploaded.error();
-    m_textures = *std::move(uploaded);
-    return {};
+    return checkedUpload(m_device, [&] { return made(maps); }).transform([this](Textures textures) {
+        m_textures = std::move(textures);
+    });
 }
 
 Result<void> ReflectionTextures::set(const ReflectionMaps* maps, ReflectionSource source) {

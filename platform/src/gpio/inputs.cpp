@@ -270,11 +270,8 @@ Result<void> GpioOutput::set(bool on) {
     if (state.line && state.line->set(on) == 0)
         return {};
     state.line.reset();
-    Result<std::unique_ptr<GpioLine>> line = openLine(state.pin, state.settings); // Sets it as well.
-    if (!line)
-        return line.error();
-    state.line = *std::move(line);
-    return {};
+    return openLine(state.pin, state.settings) // Sets it as well.
+        .transform([&state](std::unique_ptr<GpioLine> line) { state.line = std::move(line); });
 }
 
 } // namespace franken::platform

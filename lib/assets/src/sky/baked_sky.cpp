@@ -176,12 +176,10 @@ Result<BakedSky> decodeBakedSky(std::span<const std::uint8_t> bytes) {
 }
 
 Result<BakedSky> loadSky(const std::filesystem::path& path, const BakeOptions& options) {
-    if (!isBakedSky(path)) {
-        Result<Environment> sky = loadEnvironment(path, options.limits);
-        if (!sky)
-            return sky.error();
-        return bakeSky(*std::move(sky), options);
-    }
+    if (!isBakedSky(path))
+        return loadEnvironment(path, options.limits).transform([&options](Environment sky) {
+            return bakeSky(std::move(sky), options);
+        });
     const auto bytes = readSkyFile(path, options.limits.maxFileBytes);
     if (!bytes)
         return bytes.error();

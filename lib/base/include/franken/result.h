@@ -5,6 +5,7 @@
 
 #include <cassert>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -40,8 +41,8 @@ public:
     bool has_value() const { return m_state.index() == 0; }
     explicit operator bool() const { return has_value(); }
 
-    /// The value; calling it where has_value() is false is a bug. That of a temporary is returned by value, so
-    /// that `for (const auto& entry : *list())` runs over something that lives.
+    /// The value; calling it where has_value() is false is a bug. That of a temporary is returned by value,
+    /// so that `for (const auto& entry : *list())` runs over something that lives.
     T& value() & { return *present(std::get_if<0>(&m_state)); }
     const T& value() const& { return *present(std::get_if<0>(&m_state)); }
     T value() && { return std::move(*present(std::get_if<0>(&m_state))); }
@@ -54,6 +55,30 @@ public:
     /// The error; calling it where has_value() is true is a bug.
     const Error& error() const& { return *present(std::get_if<1>(&m_state)); }
     Error&& error() && { return std::move(*present(std::get_if<1>(&m_state))); }
+
+    /// What `next` makes of the value, a Result of its own; or this error. For a function whose last step may
+    /// fail: `return parseHex(text).and_then(fromKey);`
+    template<typename Next>
+    auto and_then(Next&& next) && -> std::invoke_result_t<Next, T&&> {
+        if (!has_value())
+            return std::move(*this).error();
+        return std::forward<Next>(next)(std::move(*std::get_if<0>(&m_state)));
+    }
+
+    /// What `function` makes of the value, which cannot fail (or Result<void>, where it returns nothing); or
+    /// this error.
+    template<typename Function>
+    auto transform(Function&& function) && -> Result<std::invoke_result_t<Function, T&&>> {
+        using Made = std::invoke_result_t<Function, T&&>;
+        if (!has_value())
+            return std::move(*this).error();
+        if constexpr (std::is_void_v<Made>) {
+            std::forward<Function>(function)(std::move(*std::get_if<0>(&m_state)));
+            return Result<Made>();
+        } else {
+            return std::forward<Function>(function)(std::move(*std::get_if<0>(&m_state)));
+        }
+    }
 
 private:
     template<typename Pointer>
@@ -73,6 +98,14 @@ public:
     bool has_value() const { return !m_failed; }
     explicit operator bool() const { return has_value(); }
     const Error& error() const { return assert(m_failed), m_error; }
+
+    /// What `next` returns, a Result; or this error.
+    template<typename Next>
+    auto and_then(Next&& next) const -> std::invoke_result_t<Next> {
+        if (m_failed)
+            return m_error;
+        return std::forward<Next>(next)();
+    }
 
 private:
     Error m_error;
