@@ -34,7 +34,7 @@ Scene balls() {
 Lighting skyLight() {
     Lighting lighting;
     lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3, .ofSky = true}};
-    lighting.ambient = Ambient::Sky;
+    lighting.ambient.kind = Ambient::Sky;
     return lighting;
 }
 

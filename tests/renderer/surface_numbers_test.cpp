@@ -74,8 +74,7 @@ TEST_P(SurfaceNumbers, OcclusionHasItsStrength) {
                 material.metallicRoughnessTexture = material.occlusionTexture;
             builder.add(square(), builder.addMaterial(material));
             Shot shot = filledBy(builder);
-            shot.lighting.ambient = Ambient::Color;
-            shot.lighting.ambientColor = {0.9f, 0.9f, 0.9f};
+            shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.9f, 0.9f, 0.9f}};
             EXPECT_NEAR(codesOf(draw(shot))[0], 255 * 0.9 * (1 - 0.8 * strength), 1) << strength << packed;
         }
 }

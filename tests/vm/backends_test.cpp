@@ -80,7 +80,9 @@ void drawModel(const platform::Surface& surface) {
     ASSERT_TRUE(scene) << toString(scene.error());
     const double aspect = static_cast<double>(kSize.width) / kSize.height;
     Renderer renderer(Gl::load(surface.getProcAddress()).value());
-    renderer.setLighting({.suns = {{.direction = {-1, -2, -3}, .illuminance = 3}}, .punctualLights = {}});
+    Lighting lighting;
+    lighting.suns = {{.direction = {-1, -2, -3}, .illuminance = 3}};
+    renderer.setLighting(lighting);
     ASSERT_TRUE(renderer.load(*scene));
     ASSERT_TRUE(renderer.draw(viewpointOf(framingCamera(scene->bounds(), aspect), aspect),
                               {surface.framebuffer(), kSize.width, kSize.height, {0.1f, 0.2f, 0.4f}}));
