@@ -22,19 +22,26 @@ using namespace franken;
 
 constexpr int kObjects = 1000, kMeshes = 50, kMaterials = 10, kSize = 16;
 
+// What is equal is uploaded once, and the hand-written loop does not know that.
+Image differing(Image image, int number) {
+    image.rgba[0] = static_cast<std::uint8_t>(number);
+    return image;
+}
+
 Scene manyObjects() {
     test::SceneBuilder builder;
     for (int i = 0; i < kMaterials; ++i) {
         Material material;
         material.roughness = 0.3f + 0.05f * static_cast<float>(i);
         material.baseColorTexture.texture =
-            builder.addTexture(test::checkers(4, 2, glm::vec4(1), glm::vec4(0.3f)));
-        material.normalTexture.texture = builder.addTexture(test::bumps(4, 1));
+            builder.addTexture(differing(test::checkers(4, 2, glm::vec4(1), glm::vec4(0.3f)), i));
+        material.normalTexture.texture = builder.addTexture(differing(test::bumps(4, 1), i));
         builder.addMaterial(material);
     }
     for (int mesh = 0; mesh < kMeshes; ++mesh) {
         Primitive primitive = test::sphere(2);
         primitive.material = mesh % kMaterials;
+        primitive.positions[0].x += 0.001f * static_cast<float>(mesh);
         builder.scene.meshes.push_back({"", {std::move(primitive)}});
     }
     for (int i = 0; i < kObjects; ++i) {

@@ -107,7 +107,7 @@ TEST_F(Viewer, AManifestGrowsByWhatItLacksAndIsWarmedUp) {
     const std::string urn = std::string(kUrn) + " --size 40x30 --stats ";
     const Outcome first = run(urn + "--manifest kiosk.txt");
     EXPECT_EQ(first.code, 0) << first.err;
-    EXPECT_NE(first.err.find("nothing is warmed up"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find("the manifest is not used for the warm-up"), std::string::npos) << first.err;
     const std::string plain = readText(m_folder / "kiosk.txt");
     EXPECT_EQ(plain, run(std::string(kUrn) + " --permutations").out);
 

@@ -140,7 +140,7 @@ TEST_F(CliOutput, JsonOfEachCommandParses) {
     EXPECT_EQ(runJson("explain normal")["dropped"][0]["word"], "normal");
     const json explained = runJson("explain basecolor+sun1");
     EXPECT_EQ(explained["fragment"][0]["text"], "#version 100");
-    EXPECT_EQ(explained["budgets"].size(), 4U);
+    EXPECT_EQ(explained["budgets"].size(), 5U);
     bool found = false;
     for (const json& line : explained["fragment"])
         found = found || (line.value("words", json()) == json::array({"basecolor", "sun1"}) &&
