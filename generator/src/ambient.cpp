@@ -80,4 +80,11 @@ AmbientBlock packAmbient(const AmbientLight& light, float exposure) {
     return block;
 }
 
+AmbientBlock packEvenAmbient(float radiance) {
+    AmbientBlock block{};
+    block.color.fill(radiance);
+    block.sky[0] = block.color;
+    return block;
+}
+
 } // namespace franken

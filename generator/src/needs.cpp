@@ -16,7 +16,7 @@ bool reads(const Permutation& p, const Needs& n, UvStream stream) {
 
 // Others than a first or second sun, which take a normal of any length.
 bool needsUnitNormal(const Permutation& p, const Needs& n) {
-    return (n.ambient && dependsOnNormal(p.ambient)) || p.suns > 2 || p.punctualLights > 0;
+    return n.skyLit || p.suns > 2 || p.punctualLights > 0;
 }
 
 LightForm lightFormOf(const Permutation& p, const Needs& n) {
@@ -35,12 +35,11 @@ void findLight(const Permutation& p, Needs& n) {
     const bool lit = n.material && n.shaded && p.shading == Shading::Lit;
     n.direct = lit && p.suns + p.punctualLights > 0;
     n.ambient = lit && p.ambient != Ambient::None;
-    n.skyLit = n.ambient && p.ambient == Ambient::Sky;
+    n.skyLit = n.ambient && dependsOnNormal(p.ambient);
     n.reflection = n.ambient && p.reflection != Reflection::None;
     n.emissive = lit && p.emissive != Emissive::None;
     n.occlusion = (n.ambient || (n.material && p.view == View::Occlusion)) && p.occlusion != Occlusion::None;
-    n.normal =
-        n.direct || (n.ambient && dependsOnNormal(p.ambient)) || (n.material && p.view == View::Normal);
+    n.normal = n.direct || n.skyLit || (n.material && p.view == View::Normal);
     n.normalMap = n.normal && p.normal == Normal::Map;
     n.turned = n.normal && p.sides == Sides::Double;
     n.lightForm = lightFormOf(p, n);

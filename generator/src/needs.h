@@ -22,7 +22,7 @@ struct Needs {
     bool direct;   ///< Suns or punctual lights shine.
     LightForm lightForm;
     bool ambient;    ///< Ambient light, of any kind.
-    bool skyLit;     ///< ... of a sky.
+    bool skyLit;     ///< ... that depends on the normal, as a sky's does.
     bool color;      ///< The base colour's RGB is read.
     bool base;       ///< The base colour's RGB or alpha is read.
     bool reflection; ///< The sky's reflection.

@@ -17,7 +17,7 @@ namespace {
 // With 1 thread a QPU waits for each texture fetch. A program that fetches nothing has nothing to wait for,
 // and Mesa gives it no second thread on vc4. So those are listed that do fetch, and those that spill.
 
-// Each program that is measured on that GPU, once.
+// Each program that is measured on that GPU, once. These GPUs compute in 32 bits.
 std::vector<Permutation> programsFor(const cli::Gpu& gpu) {
     std::vector<Permutation> all = coveringSet();
     for (const Permutation& permutation : randomPermutations(2000, 2))
@@ -27,6 +27,7 @@ std::vector<Permutation> programsFor(const cli::Gpu& gpu) {
     for (const Permutation& permutation : all) {
         Permutation generic = permutation;
         generic.target = Target::Generic;
+        generic.precision = Precision::Fp32;
         const Permutation program = cli::forGpu(canonical(generic), gpu);
         if (seen.insert(toKey(program)).second)
             programs.push_back(program);

@@ -20,7 +20,7 @@ Result<void> draw(Renderer& renderer, const char* file, platform::Surface& scree
     Viewpoint view = viewpointOf(framingCamera(scene->bounds(), 1.0 * width / height), 1.0 * width / height);
     const Float16 turn = platform::clipRotation(screen.rotation());
     view.viewProjection = glm::dmat4(glm::make_mat4(turn.data())) * view.viewProjection;
-    renderer.setLighting({.suns = {{.direction = {-1, -2, -3}, .illuminance = 3}}, .punctualLights = {}});
+    renderer.setLighting({.suns = {{.direction = {-1, -2, -3}, .illuminance = 3}}});
     Result<void> ok = renderer.load(*scene);
     ok = ok ? renderer.draw(view, {screen.framebuffer(), screen.size().width, screen.size().height}) : ok;
     return ok ? screen.submit() : ok;

@@ -31,15 +31,9 @@ float ambientLight(const Permutation& p, float base) {
     constexpr float kMetal = Scene::kMetallic;
     if (p.reflection != Reflection::None)
         return Scene::kAmbient * (kMetal * base + 0.04f * (1 - kMetal) + 1 + 0.96f * (1 - kMetal) * base);
-    switch (p.ambient) {
-    case Ambient::None:
+    if (p.ambient == Ambient::None)
         return 0;
-    case Ambient::Color:
-        return Scene::kAmbient * base;
-    case Ambient::Sky:
-        return Scene::kAmbient * base * 0.96f * (1 - kMetal);
-    }
-    return 0;
+    return Scene::kAmbient * base * (dependsOnNormal(p.ambient) ? 0.96f * (1 - kMetal) : 1);
 }
 
 Color litColor(const Permutation& p) {

@@ -25,9 +25,8 @@ constexpr Float16 kIdentity4{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 LightsBlock lightFromTheEye() {
     LightsBlock block{};
     constexpr float kPi = std::numbers::pi_v<float>;
-    constexpr float kAmbient = ProbeScene::kAmbient, kLight = ProbeScene::kLight;
-    block.ambient = packAmbient({.kind = Ambient::Color, .color = {kAmbient, kAmbient, kAmbient}}, 1);
-    block.ambient.sky[0] = block.ambient.color;
+    constexpr float kLight = ProbeScene::kLight;
+    block.ambient = packEvenAmbient(ProbeScene::kAmbient);
     for (std::size_t i = 0; i < Permutation::kMaxLights; ++i) {
         packSun(block, i, {.direction = {0, 0, -1}, .illuminance = kPi * kLight}, 1);
         packPunctualLight(block, i, {.position = {0, 0, 2}, .intensity = 4 * kPi * kLight}, {0, 0, 2}, 1);

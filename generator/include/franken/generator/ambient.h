@@ -51,4 +51,8 @@ struct AmbientBlock {
 /// would reflect as well, and a white one shows the irradiance over pi.
 AmbientBlock packAmbient(const AmbientLight& light, float exposure);
 
+/// The same light from everywhere, for programs of every kind: what a program is fed with whose colour is to
+/// be known beforehand.
+AmbientBlock packEvenAmbient(float radiance);
+
 } // namespace franken

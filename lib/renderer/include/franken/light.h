@@ -18,9 +18,9 @@ namespace FRANKEN_API franken {
 /// of ambient light and whether surfaces reflect it choose programs; everything else is a uniform, free to
 /// change from frame to frame.
 struct Lighting {
-    std::vector<Sun> suns;                     ///< See fittedLighting().
-    std::vector<PunctualLight> punctualLights; ///< See fittedLighting().
-    AmbientLight ambient;
+    std::vector<Sun> suns{};                     ///< See fittedLighting().
+    std::vector<PunctualLight> punctualLights{}; ///< See fittedLighting().
+    AmbientLight ambient{};
     /// From the sky to the world: turns the skybox, `ambient.sky`, the reflection, and suns that are the
     /// sky's own (Sun::ofSky). About up: glm::angleAxis(angle, glm::dvec3(0, 1, 0)). Any length but 0. Costs
     /// nothing in a shader: the world is handed to programs as the sky sees it. A frame after a change
@@ -47,8 +47,8 @@ std::string fittingOf(const Lighting& lighting);
 /// The rotation from the world to the sky's space, in which programs compute: the inverse of skyRotation.
 glm::dmat3 skyFromWorld(const Lighting& lighting);
 
-/// Fits the lighting (see fittedLighting()) and folds it for programs. Lights are converted to the sky's space,
-/// and punctual lights become relative to `eye`, the camera's position in the world, m.
+/// Fits the lighting (see fittedLighting()) and folds it for programs. Lights are converted to the sky's
+/// space, and punctual lights become relative to `eye`, the camera's position in the world, m.
 LightsBlock packLighting(const Lighting& lighting, const glm::dvec3& eye);
 
 } // namespace franken
