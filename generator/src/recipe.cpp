@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "recipe.h"
 
+#include "recipe_conditions.h"
+
 #include <algorithm>
 #include <array>
 #include <initializer_list>
@@ -9,13 +11,10 @@
 namespace franken {
 namespace {
 
-using P = const Permutation&;
-using N = const Needs&;
-using Condition = bool (*)(P, N);
+using namespace conditions;
+
 constexpr Stage kVertex = Stage::Vertex;
 constexpr Stage kFragment = Stage::Fragment;
-
-constexpr bool always(P, N) { return true; }
 
 /// One way to fill a slot.
 struct Form {
@@ -40,81 +39,6 @@ struct Slot {
     Each each;
 };
 
-template<auto Member, auto Value>
-bool is(P p, N) {
-    return p.*Member == Value;
-}
-template<bool Needs::*Need>
-bool needs(P, N n) {
-    return n.*Need;
-}
-template<LightForm Form>
-bool lights(P, N n) {
-    return n.lightForm == Form;
-}
-bool lightsPerVertex(N n) {
-    return n.lightForm == LightForm::VertexWorld || n.lightForm == LightForm::VertexTangent;
-}
-
-constexpr Condition kDirect = needs<&Needs::direct>;
-constexpr Condition kReflected = needs<&Needs::reflection>;
-constexpr Condition kTextured = needs<&Needs::textured>;
-constexpr Condition kNormal = needs<&Needs::normal>;
-constexpr Condition kFew = lights<LightForm::PixelFew>;
-constexpr Condition kTangent = lights<LightForm::VertexTangent>;
-constexpr Condition kFp16 = is<&Permutation::precision, Precision::Fp16>;
-bool spotsInFp16(P p, N) { return p.spots && p.precision == Precision::Fp16; }
-// VideoCore IV has 32 bits.
-bool onVc4(P p) { return p.target == Target::Vc4 && p.precision == Precision::Fp32; }
-bool fewOnVc4(P p, N n) { return n.lightForm == LightForm::PixelFew && onVc4(p); }
-// What more than one slot asks.
-bool ofVc4(P p, N) { return onVc4(p); }
-constexpr Condition kSeed = is<&Permutation::brdf, Brdf::Seed>;
-bool texturedBase(P p, N n) { return n.base && p.baseColorTexture; }
-bool coloured(P p, N n) { return n.base && p.vertexColor; }
-bool normalVarying(P, N n) { return n.normal && n.lightForm != LightForm::VertexTangent; }
-bool cameraVarying(P, N n) { return n.toCamera && !lightsPerVertex(n); }
-bool cubic(P p, N n) { return n.color && n.decode && p.decode == Decode::Fast; }
-bool packed(P p) { return p.metallicRoughness == MetallicRoughness::Packed; }
-bool packedOcclusion(P p, N n) { return n.occlusion && p.occlusion == Occlusion::Packed; }
-bool looked(P p, N n) { return n.material && p.view == View::RoughnessMetallic; }
-template<View V>
-bool views(P p, N n) {
-    return n.material && p.view == V;
-}
-bool toneMapped(P p, N n) {
-    return p.toneMap != ToneMap::None && (p.program == Program::Sky || n.direct || n.ambient || n.emissive);
-}
-
-// Whether vectors are made unit that go into a highlight's width (docs/mathematics.md, Roots on VideoCore
-// IV).
-bool exactLengths(N n) {
-    return n.lightForm == LightForm::PixelUnit || n.lightForm == LightForm::VertexWorld;
-}
-bool looseLengths(P p, N n) { return onVc4(p) && !exactLengths(n); }
-// Not the seed's, whose order of products was searched with the other form.
-bool anglesByLogarithms(P p, N n) {
-    return onVc4(p) && p.brdf != Brdf::Seed && n.lightForm == LightForm::PixelUnit;
-}
-// Where it was found to pay (docs/mathematics.md, One division a light).
-bool lobeByLogarithms(P p, N n) {
-    const bool shorter =
-        n.lightForm == LightForm::VertexTangent || (n.lightForm == LightForm::PixelUnit && n.reflection);
-    return onVc4(p) && p.brdf == Brdf::Gltf && shorter;
-}
-// Only 16 bits have a lobe of their own for a product.
-bool separateLobe(P p, N n) {
-    return n.direct && (p.brdf == Brdf::Gltf || p.brdf == Brdf::Fast || p.precision == Precision::Fp16);
-}
-bool readsRoughness(P p, N n) {
-    return n.roughness && (n.textured || looked(p, n) || (p.precision == Precision::Fp16 && n.direct));
-}
-bool roots(P p, N n) {
-    return n.lightForm == LightForm::PixelFew ||
-           (n.lightForm == LightForm::PixelUnit && !anglesByLogarithms(p, n)) ||
-           (n.direct && p.brdf == Brdf::Gltf);
-}
-
 constexpr std::array kSlots = {
     Slot{kVertex, needs<&Needs::material>, {{"transform/position"}}},
     Slot{kVertex, is<&Permutation::program, Program::Overlay>, {{"transform/overlay"}}},
@@ -132,10 +56,7 @@ constexpr std::array kSlots = {
          [](P, N n) { return n.toCamera || n.normalMap; },
          {{"frame/to_camera", needs<&Needs::toCamera>}, {"frame/model"}}},
     Slot{kVertex, cameraVarying, {{"frame/to_camera_varying.fp16", kFp16}, {"frame/to_camera_varying"}}},
-    Slot{kVertex,
-         [](P p, N n) { return n.direct && p.precision == Precision::Fp16; },
-         {{"lights/to_punctual.fp16"}},
-         Each::Punctual},
+    Slot{kVertex, directInFp16, {{"lights/to_punctual.fp16"}}, Each::Punctual},
     Slot{kVertex, needs<&Needs::normalMap>, {{"frame/tangent"}}},
     Slot{kVertex, needs<&Needs::normalMap>, {{"frame/tangent_space", kTangent}, {"frame/tangent_varying"}}},
     Slot{kVertex, kTangent, {{"sun/tangent_space"}}, Each::Sun},
@@ -190,21 +111,19 @@ constexpr std::array kSlots = {
          {{"normal/double_sided.facing", is<&Permutation::facingWorkaround, true>}, {"normal/double_sided"}}},
 
     Slot{kFragment,
-         [](P p, N n) { return packed(p) && (n.metallic || n.roughness || packedOcclusion(p, n)); },
+         [](P p, N n) { return kPacked(p, n) && (n.metallic || n.roughness || packedOcclusion(p, n)); },
          {{"metallic_roughness/packed", always, &Permutation::metallicRoughnessUv}}},
     Slot{kFragment,
          [](P p, N n) { return (n.textured && n.metallic) || readsRoughness(p, n) || looked(p, n); },
          {{"metallic_roughness/factors"}}},
     Slot{kFragment,
          [](P p, N n) { return n.metallic && (n.textured || looked(p, n)); },
-         {{"metallic_roughness/metallic.packed",
-           is<&Permutation::metallicRoughness, MetallicRoughness::Packed>},
+         {{"metallic_roughness/metallic.packed", kPacked},
           {"metallic_roughness/metallic.separate", kTextured, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/metallic.factor"}}},
     Slot{kFragment,
          readsRoughness,
-         {{"metallic_roughness/roughness.packed",
-           is<&Permutation::metallicRoughness, MetallicRoughness::Packed>},
+         {{"metallic_roughness/roughness.packed", kPacked},
           {"metallic_roughness/roughness.separate", kTextured, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/roughness.factor"}}},
     Slot{kFragment,
@@ -242,9 +161,7 @@ constexpr std::array kSlots = {
           {"surface/textures.seed", kSeed},
           {"surface/textures.hammon", is<&Permutation::brdf, Brdf::Fast>},
           {"surface/textures.schlick_ggx"}}},
-    Slot{kFragment,
-         [](P p, N n) { return n.direct && p.precision == Precision::Fp16; },
-         {{"surface/slope.fp16"}}},
+    Slot{kFragment, directInFp16, {{"surface/slope.fp16"}}},
 
     Slot{kFragment,
          [](P, N n) { return (n.direct || n.ambient) && !n.reflection; },

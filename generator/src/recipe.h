@@ -12,8 +12,9 @@ namespace franken {
 /// How often a row's snippet stands in the text. Neighbouring rows of the same kind repeat together.
 enum class Each : std::uint8_t { Once, Sun, Punctual };
 
-/// One row of the recipe: which snippet, in which stage. The rows' order is that of the text; the conditions
-/// stand in recipe.cpp, where rows that stand in for each other make one slot.
+/// One row of the recipe: which snippet, in which stage. The rows' order is that of the text; their
+/// conditions stand in recipe_conditions.h. Rows of which at most one is in a text make one slot
+/// (recipe.cpp).
 struct Row {
     Stage stage;
     std::string_view snippet; ///< File below glsl/<stage>/, without ".glsl".

@@ -46,9 +46,10 @@ constexpr TextureRoleRow kRoles[] = {
 
 constexpr bool isSound(const TextureRoleRow& row) {
     const bool inOrder = &row - kRoles == static_cast<std::ptrdiff_t>(row.role);
-    return inOrder && row.unit < kTextureUnits && isMaterials(row.role) == (row.unit < kMaterialUnits);
+    return inOrder && row.unit < kUsedTextureUnits && isMaterials(row.role) == (row.unit < kMaterialUnits);
 }
 static_assert(std::all_of(std::begin(kRoles), std::end(kRoles), isSound));
+static_assert(kUsedTextureUnits <= kTextureUnits);
 
 } // namespace
 

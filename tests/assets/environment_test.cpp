@@ -12,6 +12,7 @@
 #include <glm/geometric.hpp>
 
 #include "sky_sampling.h"
+#include "sky_shader.h"
 
 namespace franken {
 namespace {
@@ -46,17 +47,6 @@ LightsBlock pack(const Environment& sky) {
     LightsBlock block{};
     block.ambient = packAmbient({.kind = Ambient::Sky, .sky = skyCoefficients(sky)}, 1);
     return block;
-}
-
-/// What the programs show on a white dielectric: irradiance / pi.
-glm::dvec3 irradianceByCoefficients(const LightsBlock& block, const glm::vec3& n) {
-    const float basis[9] = {
-        1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
-    glm::dvec3 sum(0);
-    for (std::size_t i = 0; i < 9; ++i)
-        sum += glm::dvec3(block.ambient.sky[i][0], block.ambient.sky[i][1], block.ambient.sky[i][2]) *
-               static_cast<double>(basis[i]);
-    return sum * static_cast<double>(kDielectricScatters);
 }
 
 /// Irradiance / pi, by a sum over all texels of an equirectangular sky.
@@ -196,9 +186,9 @@ TEST(Environment, CoefficientsOfPlainSkies) {
     const LightsBlock slope = pack(makeSky(256, [](const glm::vec3& d) { return glm::vec3(1.0f) + d; }));
     for (const glm::vec3& n : test::directions(20))
         for (int i = 0; i < 3; ++i) {
-            EXPECT_NEAR(irradianceByCoefficients(grey, n)[i], 0.5, 1e-4);
+            EXPECT_NEAR(test::irradianceByCoefficients(grey, n)[i], 0.5, 1e-4);
             // A cosine lobe keeps 2/3 of what is linear in the direction.
-            EXPECT_NEAR(irradianceByCoefficients(slope, n)[i], 1 + n[i] * 2 / 3, 2e-4);
+            EXPECT_NEAR(test::irradianceByCoefficients(slope, n)[i], 1 + n[i] * 2 / 3, 2e-4);
         }
 }
 
@@ -261,7 +251,7 @@ TEST_P(RealSky, CoefficientsMatchBruteForce) {
     double error = 0, power = 0;
     for (const glm::vec3& n : test::directions(64)) {
         const glm::dvec3 truth = irradianceByTexels(*sky, n);
-        const glm::dvec3 difference = irradianceByCoefficients(block, n) - truth;
+        const glm::dvec3 difference = test::irradianceByCoefficients(block, n) - truth;
         error += glm::dot(difference, difference);
         power += glm::dot(truth, truth);
     }

@@ -25,8 +25,8 @@ GltfFile fileWith(const Json& mappings, const Json& variants) {
 const Json kDayAndNight = {{{"name", "day"}}, {{"name", "night"}}, {{"name", "dawn"}}};
 
 TEST(GltfVariants, EachPrimitiveHasAMaterialInEachVariant) {
-    GltfFile file =
-        fileWith({{{"material", 1}, {"variants", {0, 2}}}, {{"material", 2}, {"variants", {1}}}}, kDayAndNight);
+    GltfFile file = fileWith({{{"material", 1}, {"variants", {0, 2}}}, {{"material", 2}, {"variants", {1}}}},
+                             kDayAndNight);
     const Scene scene = file.loaded();
     EXPECT_EQ(scene.variants, (std::vector<std::string>{"day", "night", "dawn"}));
     const franken::Primitive& primitive = scene.meshes.at(0).primitives.at(0);
@@ -39,7 +39,8 @@ TEST(GltfVariants, EachPrimitiveHasAMaterialInEachVariant) {
 TEST(GltfVariants, RequiredOrNotTheyAreKnown) {
     GltfFile file = fileWith({{{"material", 1}, {"variants", {1}}}}, kDayAndNight);
     file.json["extensionsRequired"] = {"KHR_materials_variants"};
-    EXPECT_EQ(file.loaded().meshes.at(0).primitives.at(0).variantMaterials, (std::vector<int>{kNone, 1, kNone}));
+    EXPECT_EQ(file.loaded().meshes.at(0).primitives.at(0).variantMaterials,
+              (std::vector<int>{kNone, 1, kNone}));
     EXPECT_TRUE(file.warnings.empty());
 }
 
@@ -62,15 +63,16 @@ TEST(GltfVariants, NamesThatCannotBeToldApartAreMended) {
 
 TEST(GltfVariants, AFaultyMappingCostsItselfAlone) {
     const Json good = {{"material", 1}, {"variants", {1}}};
-    for (const Json& bad : {Json{{"material", 7}, {"variants", {0}}}, Json{{"material", 1}, {"variants", {9}}},
-                            Json{{"variants", {0}}}}) {
+    for (const Json& bad : {Json{{"material", 7}, {"variants", {0}}},
+                            Json{{"material", 1}, {"variants", {9}}}, Json{{"variants", {0}}}}) {
         GltfFile file = fileWith({bad, good}, kDayAndNight);
         EXPECT_EQ(file.loaded().meshes.at(0).primitives.at(0).variantMaterials,
                   (std::vector<int>{kNone, 1, kNone}));
         ASSERT_EQ(file.warnings.size(), 1u) << bad;
         EXPECT_NE(file.warnings[0].find("/mappings/0"), std::string::npos) << file.warnings[0];
     }
-    for (const Json& bad : {Json{{"material", "red"}, {"variants", {0}}}, Json(7), Json{{"variants", {-1}}}}) {
+    for (const Json& bad :
+         {Json{{"material", "red"}, {"variants", {0}}}, Json(7), Json{{"variants", {-1}}}}) {
         GltfFile file = fileWith({bad, good}, kDayAndNight);
         const auto scene = file.load();
         EXPECT_TRUE(scene || scene.error().where.find("/mappings/0") != std::string::npos) << bad;

@@ -98,16 +98,6 @@ glm::vec3 roughDielectric(const Environment& sky, const test::Hit& hit) {
     return sum;
 }
 
-/// Irradiance / pi, as packAmbient() and ambient/irradiance.glsl make it of nine coefficients.
-glm::vec3 irradianceByCoefficients(const LightsBlock& lights, const glm::vec3& n) {
-    const float basis[9] = {
-        1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
-    glm::vec3 sum(0);
-    for (std::size_t i = 0; i < 9; ++i)
-        sum += basis[i] * glm::vec3(lights.ambient.sky[i][0], lights.ambient.sky[i][1], lights.ambient.sky[i][2]);
-    return kDielectricScatters * glm::max(sum, 0.0f);
-}
-
 class ReferenceSky : public testing::TestWithParam<const char*> {
 protected:
     void SetUp() override {
@@ -168,7 +158,8 @@ TEST_P(ReferenceSky, MattSpheresMatchTheTruth) {
     for (const auto& [hit, truth] : pixels) {
         const glm::vec3 lambert = 0.8f * test::skyLight(sky.atlas, hit.normal);
         atlas += difference(glm::round(test::codes(lambert)), truth);
-        coefficients += difference(test::codes(0.8f * irradianceByCoefficients(lights, hit.normal)), truth);
+        coefficients += difference(
+            test::codes(0.8f * glm::vec3(test::irradianceByCoefficients(lights, hit.normal))), truth);
         const glm::vec3 exact = test::codes(roughDielectric(environment, hit));
         file += difference(exact, truth);
         drawn += difference(test::codes(kDielectricScatters * lambert +

@@ -8,7 +8,6 @@
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 
-#include "franken/generator/pack.h"
 #include "sky_sampling.h"
 
 namespace franken::test {
@@ -72,6 +71,16 @@ glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const
     const glm::vec3 mirrored = glm::mix(skyThroughLobe(sky.atlas, toSky, (kReflectionLevels - 1) * look.b),
                                         skyLight(sky.atlas, n), look.a);
     return mirrored * (material.f0() * look.r + look.g);
+}
+
+glm::dvec3 irradianceByCoefficients(const LightsBlock& lights, const glm::vec3& n) {
+    const float basis[9] = {
+        1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i < 9; ++i)
+        sum += glm::dvec3(lights.ambient.sky[i][0], lights.ambient.sky[i][1], lights.ambient.sky[i][2]) *
+               static_cast<double>(basis[i]);
+    return sum * static_cast<double>(kDielectricScatters);
 }
 
 glm::vec3 codes(const glm::vec3& color) {

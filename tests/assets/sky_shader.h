@@ -8,6 +8,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include "franken/generator/pack.h"
 #include "franken/reflection.h"
 
 /// What a fragment shader makes of a sky's two textures, on the CPU and as a GPU does it: 8-bit texels,
@@ -38,6 +39,9 @@ const std::vector<SkyMaterial>& skyMaterials();
 /// reflection/reflection.glsl. n, v: unit, v towards the eye.
 glm::vec3 reflectedByShader(const ReflectionMaps& sky, const glm::vec3& n, const glm::vec3& v,
                             float roughness, const SkyMaterial& material);
+
+/// ambient/irradiance.glsl on a white dielectric: irradiance over pi by the nine coefficients, in double.
+glm::dvec3 irradianceByCoefficients(const LightsBlock& lights, const glm::vec3& n);
 
 /// sRGB codes, 0-255, not rounded.
 glm::vec3 codes(const glm::vec3& color);

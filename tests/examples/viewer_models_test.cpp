@@ -141,7 +141,8 @@ TEST_F(ViewerModels, AVariantIsDrawnByItsNameAndListed) {
     const int quad = model.quad(black);
     model.json["meshes"][quad]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"] = {
         {{"material", green}, {"variants", {1}}}};
-    model.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "winter"}}, {{"name", "spring"}}};
+    model.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "winter"}},
+                                                                      {{"name", "spring"}}};
     const int node = model.addNode({{"mesh", quad}});
     model.json["nodes"][node]["name"] = "meadow";
     expect(model, {{32, 32, kGreen}}, "--variant spring");
@@ -151,7 +152,8 @@ TEST_F(ViewerModels, AVariantIsDrawnByItsNameAndListed) {
     EXPECT_NE(unknown.err.find("winter, spring"), std::string::npos) << unknown.err;
     const Outcome list = draw(model.bytes(false), "--list");
     EXPECT_EQ(list.code, 0) << list.err;
-    for (const char* line : {"camera 0: ", "variant 1: spring\n", "material 0: grass\n", "node 0: meadow, 2 triangles\n"})
+    for (const char* line :
+         {"camera 0: ", "variant 1: spring\n", "material 0: grass\n", "node 0: meadow, 2 triangles\n"})
         EXPECT_NE(list.out.find(line), std::string::npos) << line << list.out;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The viewer in the background, which watches what its picture is made of.
-#include "franken/png.h"
 #include "franken/baked_sky.h"
+#include "franken/png.h"
 #include "support/gltf_builder.h"
 #include "viewer_run.h"
 

@@ -100,7 +100,7 @@ std::string received(const test::FakeServiceManager& manager) {
 }
 
 TEST(ServiceManager, IsToldWhatIsNewOnceAndThatTheLoopTurns) {
-    const test::FakeServiceManager manager(test::emptyTestFolder(), 200ms);
+    const test::FakeServiceManager manager(200ms);
     ServiceManager service;
     EXPECT_EQ(service.watchdogInterval(), 100ms);
     EXPECT_TRUE(service.ready("drawing"));

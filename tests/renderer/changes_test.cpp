@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Changes of a model that is loaded: what is uploaded for them, and that they last. And what is uploaded
 // once.
-#include "support/draw_scene.h"
+#include "model_fixture.h"
 #include "support/gl_recorder.h"
 #include "support/shapes.h"
 
@@ -12,18 +12,8 @@
 namespace franken::test {
 namespace {
 
-class ChangesTest : public PictureTest {
+class ChangesTest : public ModelFixture {
 protected:
-    DrawTarget target() { return {.framebuffer = surface().framebuffer(), .width = 64, .height = 64}; }
-
-    Picture drawn(Renderer& renderer) {
-        Camera camera;
-        camera.world[3] = glm::vec4(0, 0, 3, 1);
-        const Result<void> result = renderer.draw(viewpointOf(camera, 1), target());
-        EXPECT_TRUE(result) << toString(result.error());
-        return readBack();
-    }
-
     ModelId shown(Renderer& renderer, const Scene& scene, SceneSource source = {}) {
         Lighting lighting;
         lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};

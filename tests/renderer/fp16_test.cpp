@@ -93,8 +93,9 @@ void Fp16::expectAlike(const std::string& name, const Shot& shot) {
     const Picture actual = draw(shot, Precision::Fp16);
     const Difference difference = compareLit(actual, expected);
     std::cout << name << ": " << difference << "\n";
-    // A reflection is looked up by coordinates of 16 bits, a quarter of a texel at worst: the rim of a bright patch is
-    // moved by that. 0.30 % of such a picture are more than 6 codes off; the goal for all others is 0.1 % above 8.
+    // A reflection is looked up by coordinates of 16 bits, a quarter of a texel at worst: the rim of a bright
+    // patch is moved by that. 0.30 % of such a picture are more than 6 codes off; the goal for all others is
+    // 0.1 % above 8.
     const double most = shot.lighting.reflection == Reflection::Lookup ? 0.003 : 0.001;
     EXPECT_TRUE(difference.mean <= 0.5 && difference.shareAbove(8) <= most)
         << name << ": " << difference << "\n"

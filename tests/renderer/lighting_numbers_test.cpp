@@ -46,9 +46,7 @@ const Row kRows[] = {
          shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.4f, 0.3f, 0.2f}};
      }},
     {"a sky",
-     [](Shot& shot) {
-         shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(plainSky())};
-     }},
+     [](Shot& shot) { shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(plainSky())}; }},
     {"a sky that is mirrored",
      [](Shot& shot) {
          shot.lighting.ambient.kind = Ambient::Sky;

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What is on the GPU: several models, a budget, and what happens when all of it is lost.
-#include "support/draw_scene.h"
+#include "model_fixture.h"
 #include "support/gl_recorder.h"
 #include "support/shapes.h"
 
 namespace franken::test {
 namespace {
 
-class ResidencyTest : public PictureTest {
-protected:
-    DrawTarget target() { return {.framebuffer = surface().framebuffer(), .width = 64, .height = 64}; }
-
-    Picture drawn(Renderer& renderer) {
-        Camera camera;
-        camera.world[3] = glm::vec4(0, 0, 3, 1);
-        const Result<void> result = renderer.draw(viewpointOf(camera, 1), target());
-        EXPECT_TRUE(result) << toString(result.error());
-        return readBack();
-    }
-};
+class ResidencyTest : public ModelFixture {};
 
 INSTANTIATE_TEST_SUITE_P(Backends, ResidencyTest, allBackends(), backendName);
 

@@ -194,9 +194,10 @@ Shot lambertSphere(const Sky& sky) {
     return shot;
 }
 
-/// The goal of metals is 2.5 codes, or half of what the plain split sum leaves, which sky_data_test computes
-/// and prints; of coefficients alone 5 codes. Where a row has more, the goal is out of reach of one lookup of
-/// a round lobe, or of any nine coefficients (generator/docs/sky.md): the bound then is what is reached.
+/// The goal of metals is 2.5 codes, or half of what the plain split sum leaves, which sky_numbers_test
+/// computes and prints; of coefficients alone 5 codes. Where a row has more, the goal is out of reach of one
+/// lookup of a round lobe, or of any nine coefficients (generator/docs/sky.md): the bound then is what is
+/// reached.
 TEST_P(HardSkySpheres, AreAsTheyShouldBe) {
     struct Row {
         const char* sky;

@@ -11,11 +11,13 @@
 
 namespace franken::test {
 
-FakeServiceManager::FakeServiceManager(const std::filesystem::path& folder,
-                                       std::chrono::microseconds watchdog)
-    : m_path(folder / "notify"), m_socket(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
+// A socket's path has at most 107 characters, which a folder of the build can exceed.
+FakeServiceManager::FakeServiceManager(std::chrono::microseconds watchdog)
+    : m_path(std::filesystem::temp_directory_path() / ("notify." + std::to_string(getpid()))),
+      m_socket(socket(AF_UNIX, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0)) {
     sockaddr_un address = {};
     address.sun_family = AF_UNIX;
+    EXPECT_LT(m_path.native().size(), sizeof address.sun_path) << "set TMPDIR to a shorter path";
     std::snprintf(address.sun_path, sizeof address.sun_path, "%s", m_path.c_str());
     EXPECT_EQ(bind(m_socket, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
     setenv("NOTIFY_SOCKET", m_path.c_str(), 1);

@@ -10,7 +10,7 @@ namespace franken::test {
 /// A service manager's end of sd_notify: the environment names it for as long as it lives.
 class FakeServiceManager {
 public:
-    FakeServiceManager(const std::filesystem::path& folder, std::chrono::microseconds watchdog);
+    explicit FakeServiceManager(std::chrono::microseconds watchdog);
     ~FakeServiceManager();
     FakeServiceManager(const FakeServiceManager&) = delete;
     FakeServiceManager& operator=(const FakeServiceManager&) = delete;

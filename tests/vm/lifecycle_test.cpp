@@ -169,7 +169,7 @@ std::chrono::milliseconds silentAfter(const FakeServiceManager& manager) {
 }
 
 TEST_F(Harmed, AFrozenLoopIsSilentAndTheManagerEndsIt) {
-    const FakeServiceManager manager(std::filesystem::temp_directory_path(), kWatchdog);
+    const FakeServiceManager manager(kWatchdog);
     Child frozen(kiosk({"freeze"}));
     const std::chrono::milliseconds silent = silentAfter(manager);
     EXPECT_GE(silent, 2500ms) << "it was silent before it froze";
@@ -181,7 +181,7 @@ TEST_F(Harmed, AFrozenLoopIsSilentAndTheManagerEndsIt) {
 }
 
 TEST_F(Harmed, ARunningLoopIsNeverSilent) {
-    const FakeServiceManager manager(std::filesystem::temp_directory_path(), kWatchdog);
+    const FakeServiceManager manager(kWatchdog);
     Child running(kiosk({}));
     std::jthread end([&] {
         std::this_thread::sleep_for(6s);

@@ -5,7 +5,6 @@
 #include <franken/platform/gpio.h>
 #include <franken/platform/surface.h>
 #include <franken/renderer.h>
-#include <glm/gtc/type_ptr.hpp>
 #include <iostream>
 #include <poll.h>
 
@@ -16,13 +15,14 @@ Result<void> draw(Renderer& renderer, const char* file, platform::Surface& scree
     const Result<Scene> scene = loadGltf(file, {}, print);
     if (!scene)
         return scene.error();
-    const auto [width, height] = platform::turned(screen.size(), screen.rotation());
-    Viewpoint view = viewpointOf(framingCamera(scene->bounds(), 1.0 * width / height), 1.0 * width / height);
-    const Float16 turn = platform::clipRotation(screen.rotation());
-    view.viewProjection = glm::dmat4(glm::make_mat4(turn.data())) * view.viewProjection;
+    const DrawTarget target{.framebuffer = screen.framebuffer(),
+                            .width = screen.size().width,
+                            .height = screen.size().height,
+                            .rotation = screen.rotation()};
+    const double aspect = aspectOf(target);
     renderer.setLighting({.suns = {{.direction = {-1, -2, -3}, .illuminance = 3}}});
     Result<void> ok = renderer.load(*scene);
-    ok = ok ? renderer.draw(view, {screen.framebuffer(), screen.size().width, screen.size().height}) : ok;
+    ok = ok ? renderer.draw(viewpointOf(framingCamera(scene->bounds(), aspect), aspect), target) : ok;
     return ok ? screen.submit() : ok;
 }
 

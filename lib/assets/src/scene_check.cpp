@@ -23,8 +23,6 @@ bool areFinite(const std::vector<Vector>& vectors) {
     return std::all_of(vectors.begin(), vectors.end(), isFinite<Vector>);
 }
 
-bool isIndex(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
-
 bool isWithin(float value, float least, float most) { return value >= least && value <= most; }
 
 /// The place of an element: "meshes[2].primitives[0]".

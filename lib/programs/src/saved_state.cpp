@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "franken/saved_state.h"
 
+#include "franken/attribute_format.h"
+
 namespace franken {
 namespace {
+
+static_assert(kAttributeFormats.size() <= SavedState::kArrays);
 
 GLint integer(const Gl& gl, GLenum name) {
     GLint value = 0;

@@ -91,19 +91,19 @@ Result<void> check(const DrawTarget& target) {
         return begin >= 0 && size > 0 && begin <= whole && size <= whole - begin;
     };
     const TargetArea area = areaOf(target);
-    return checkRules("renderer.target", {},
-                      {{target.width > 0 && target.height > 0, "width, height", "they must be 1 or more"},
-                       {fits(area.x, area.width, target.width) && fits(area.y, area.height, target.height),
-                        "area", "it must lie in the target, and have pixels"},
-                       {target.clear >= Clear::ColorAndDepth && target.clear <= Clear::Nothing, "clear",
-                        "there is no such value"},
-                       {target.backgroundAlpha >= 0 && target.backgroundAlpha <= 1, "backgroundAlpha",
-                        "it must be 0 to 1"},
-                       {target.rotation >= Rotation::None && target.rotation <= Rotation::ThreeQuarters,
-                        "rotation", "there is no such value"},
-                       {areFinite(target.background), "background", "it must be finite"},
-                       {std::all_of(target.bits.begin(), target.bits.end(), isChannel), "bits",
-                        "each channel must have 1 to 16"}});
+    return checkRules(
+        "renderer.target", {},
+        {{target.width > 0 && target.height > 0, "width, height", "they must be 1 or more"},
+         {fits(area.x, area.width, target.width) && fits(area.y, area.height, target.height), "area",
+          "it must lie in the target, and have pixels"},
+         {target.clear >= Clear::ColorAndDepth && target.clear <= Clear::Nothing, "clear",
+          "there is no such value"},
+         {target.backgroundAlpha >= 0 && target.backgroundAlpha <= 1, "backgroundAlpha", "it must be 0 to 1"},
+         {target.rotation >= Rotation::None && target.rotation <= Rotation::ThreeQuarters, "rotation",
+          "there is no such value"},
+         {areFinite(target.background), "background", "it must be finite"},
+         {std::all_of(target.bits.begin(), target.bits.end(), isChannel), "bits",
+          "each channel must have 1 to 16"}});
 }
 
 Result<void> check(std::span<const OverlayQuad> quads) {

@@ -110,7 +110,8 @@ void Frame::updateBlocks(const PlacedView& view, const DrawTarget& target) {
 
 // A picture of normals shows those of the world.
 PlacedView Frame::viewFrom(const Viewpoint& viewpoint, Rotation rotation) const {
-    return {turned(viewpoint, rotation), m_look.view == View::Normal ? glm::dmat3(1.0) : skyFromWorld(m_lighting)};
+    return {turned(viewpoint, rotation),
+            m_look.view == View::Normal ? glm::dmat3(1.0) : skyFromWorld(m_lighting)};
 }
 
 void Frame::begin(const DrawTarget& target) {

@@ -12,8 +12,6 @@
 namespace franken {
 namespace {
 
-bool isIndex(int index, std::size_t size) { return index >= 0 && static_cast<std::size_t>(index) < size; }
-
 /// The index of the variant; kNone for none of them ("").
 Result<int> findVariant(const Model& model, std::string_view name) {
     if (name.empty())
@@ -29,19 +27,14 @@ Result<int> findVariant(const Model& model, std::string_view name) {
                  variants.empty() ? "it has none: pass \"\"" : "it has " + known};
 }
 
-bool sameRef(const TextureRef& a, const TextureRef& b) {
-    return a.texture == b.texture && a.uvSet == b.uvSet && a.transform == b.transform &&
-           a.transformed == b.transformed;
-}
-
 /// Whether both are drawn by the same programs with the same textures.
 bool differInFactorsAlone(const Material& a, const Material& b) {
     const auto glows = [](const Material& material) { return material.emissive != glm::vec3(0); };
-    return sameRef(a.baseColorTexture, b.baseColorTexture) &&
-           sameRef(a.metallicRoughnessTexture, b.metallicRoughnessTexture) &&
-           sameRef(a.normalTexture, b.normalTexture) && sameRef(a.occlusionTexture, b.occlusionTexture) &&
-           sameRef(a.emissiveTexture, b.emissiveTexture) && a.alphaMode == b.alphaMode &&
-           a.doubleSided == b.doubleSided && a.unlit == b.unlit && glows(a) == glows(b);
+    const auto refsA = textureRefs(a), refsB = textureRefs(b);
+    return std::equal(refsA.begin(), refsA.end(), refsB.begin(),
+                      [](const TextureRef* left, const TextureRef* right) { return *left == *right; }) &&
+           a.alphaMode == b.alphaMode && a.doubleSided == b.doubleSided && a.unlit == b.unlit &&
+           glows(a) == glows(b);
 }
 
 Error unknownMaterial(int index, std::size_t count) {
@@ -102,8 +95,7 @@ Result<void> Models::setMaterial(ModelId id, int index, const Material& values) 
     if (const Result<void> checked = check(outline, values); !checked)
         return Error{"renderer.material", checked.error().where, checked.error().what,
                      "nothing was changed: pass another value"};
-    for (const TextureRef* ref : {&values.baseColorTexture, &values.metallicRoughnessTexture,
-                                  &values.normalTexture, &values.occlusionTexture, &values.emissiveTexture})
+    for (const TextureRef* ref : textureRefs(values))
         if (*ref && model->gpu &&
             model->gpu->textureOf[static_cast<std::size_t>(ref->texture)] == GpuScene::kNotUploaded)
             return unknownTexture("renderer.material", ref->texture);

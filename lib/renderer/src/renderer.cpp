@@ -114,7 +114,7 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
         return result;
     }
 
-    /// Likewise of those that call no GL and need no context.
+    /// What functions do first that return a Result, call no GL and need no context.
     template<typename Function>
     auto note(const char* where, Function&& function)->decltype(function()) {
         device.thread.check();
@@ -132,8 +132,8 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
     const std::array<GlOwner*, 7> owners = {&programs, &models,  &skybox, &reflection,
                                             &pictures, &overlay, &frame};
     std::optional<SavedState> foreign; ///< Between acquireState() and releaseState().
-    Result<void> lightingError; ///< Of the last setLighting().
-    std::string saidOfLights;   ///< In the log, so that it is said once.
+    Result<void> lightingError;        ///< Of the last setLighting().
+    std::string saidOfLights;          ///< In the log, so that it is said once.
 };
 
 Renderer::Renderer(const Gl& gl, Log log) : Renderer(gl, Capabilities::query(gl), std::move(log)) {}
@@ -157,16 +157,18 @@ Result<PlaceId> Renderer::addPlace(ModelId model, const glm::dmat4& world) {
     return m_state->note("addPlace()", [&] { return m_state->models.addPlace(model, world); });
 }
 
-Result<PlaceId> Renderer::firstPlace(ModelId model) const { return m_state->models.firstPlace(model); }
+Result<PlaceId> Renderer::firstPlace(ModelId model) const {
+    return m_state->note("firstPlace()", [&] { return m_state->models.firstPlace(model); });
+}
 
 void Renderer::removePlace(PlaceId place) { m_state->models.removePlace(place); }
 
 Result<void> Renderer::setWorld(PlaceId place, const glm::dmat4& world) {
-    return m_state->models.setWorld(place, world);
+    return m_state->note("setWorld()", [&] { return m_state->models.setWorld(place, world); });
 }
 
 Result<void> Renderer::setVisible(PlaceId place, bool visible) {
-    return m_state->models.setVisible(place, visible);
+    return m_state->note("setVisible()", [&] { return m_state->models.setVisible(place, visible); });
 }
 
 Result<void> Renderer::setVariant(ModelId model, std::string_view name) {

@@ -66,4 +66,7 @@ constexpr bool isMaterials(TextureRole role) { return role < TextureRole::Skybox
 /// The units of materials' textures are below it.
 inline constexpr std::size_t kMaterialUnits = 6;
 
+/// The units of all roles are below it.
+inline constexpr std::size_t kUsedTextureUnits = 8;
+
 } // namespace franken

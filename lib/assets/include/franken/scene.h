@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
+#include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include <glm/ext/matrix_double4x4.hpp>
@@ -26,6 +30,11 @@ namespace FRANKEN_API franken {
 /// The index of a thing that is absent.
 inline constexpr int kNone = -1;
 
+/// Whether a number is an index into an array of that size.
+constexpr bool isIndex(int index, std::size_t size) {
+    return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
 /// An image and how it is sampled. Filters that the file leaves open are the best that GLES2 has.
 struct Texture {
     int image = kNone; ///< Index into Scene::images; kNone only where no material uses the texture.
@@ -46,6 +55,7 @@ struct TextureRef {
     bool transformed = false; ///< Whether `transform` differs from the identity.
 
     explicit operator bool() const { return texture != kNone; }
+    bool operator==(const TextureRef&) const = default;
 };
 
 enum class AlphaMode { Opaque, Mask, Blend };
@@ -78,6 +88,14 @@ struct Material {
     bool unlit = false; ///< KHR_materials_unlit: base colour only, no light.
 };
 
+/// Pointers to all texture references of a Material or a const Material, in the order of its members.
+template<typename AnyMaterial>
+requires std::same_as<std::remove_const_t<AnyMaterial>, Material>
+auto textureRefs(AnyMaterial& material) {
+    return std::array{&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
+                      &material.occlusionTexture, &material.emissiveTexture};
+}
+
 /// An axis-aligned box; empty (min > max) until something is added.
 struct Box {
     glm::dvec3 min{std::numeric_limits<double>::infinity()};
@@ -103,7 +121,8 @@ struct Primitive {
     std::vector<std::uint32_t>
         indices;      ///< Triangle list, counter-clockwise in front; each < positions.size().
     int material = 0; ///< Index into Scene::materials; always valid.
-    /// Likewise, for each of Scene::variants; kNone, or beyond the end: `material` in that variant as well.
+    /// Index into Scene::materials for each of Scene::variants; kNone, or beyond the end: `material` in that
+    /// variant as well.
     std::vector<int> variantMaterials;
     Box bounds; ///< Of `positions`.
 };

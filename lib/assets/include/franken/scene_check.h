@@ -13,7 +13,8 @@ namespace FRANKEN_API franken {
 /// element that is wrong. Takes one pass over all vertices and indices. Safe on any thread.
 Result<void> check(const Scene& scene);
 
-/// Likewise, of a material alone that is to become one of the scene's. Needs none of its pixels and vertices.
+/// Checks a material that is to become one of the scene's. Needs the scene's textures, but no pixels and no
+/// vertices. Fails with "scene.data".
 Result<void> check(const Scene& scene, const Material& material);
 
 } // namespace franken

@@ -151,12 +151,9 @@ private:
     }
 
     static bool samples(const Material& material, int uvSet) {
-        for (const TextureRef* ref :
-             {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-              &material.occlusionTexture, &material.emissiveTexture})
-            if (*ref && ref->uvSet == uvSet)
-                return true;
-        return false;
+        const auto refs = textureRefs(material);
+        return std::any_of(refs.begin(), refs.end(),
+                           [uvSet](const TextureRef* ref) { return *ref && ref->uvSet == uvSet; });
     }
 
     bool isNeeded(const std::string& name, bool isTarget) const {

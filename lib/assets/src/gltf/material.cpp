@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <array>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -8,11 +7,6 @@
 
 namespace franken::gltf {
 namespace {
-
-std::array<TextureRef*, 5> textureRefs(Material& material) {
-    return {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-            &material.occlusionTexture, &material.emissiveTexture};
-}
 
 glm::vec2 pairOr(const tinygltf::Value& object, const std::string& key, glm::vec2 otherwise) {
     const tinygltf::Value& value = object.Get(key);

@@ -29,8 +29,7 @@ bool chargeObjects(Source& source, const Json& root) {
             if (!chargeVariants(source, primitive, "/meshes"))
                 return false;
     }
-    const Json& variants =
-        member(member(member(root, "extensions"), "KHR_materials_variants"), "variants");
+    const Json& variants = member(member(member(root, "extensions"), "KHR_materials_variants"), "variants");
     return charge(variants, 3 * sizeof(tinygltf::Value) + sizeof(std::string),
                   "/extensions/KHR_materials_variants") &&
            charge(member(root, "buffers"), sizeof(tinygltf::Buffer) + sizeof(Buffer), "/buffers") &&

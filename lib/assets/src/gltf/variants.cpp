@@ -26,8 +26,6 @@ int materialOf(const tinygltf::Value& mapping) {
     return mapping.Has("material") ? mapping.Get("material").GetNumberAsInt() : kNone;
 }
 
-bool isIndex(int index, std::size_t size) { return index >= 0 && at(index) < size; }
-
 } // namespace
 
 void readVariants(Document& source, Scene& scene) {

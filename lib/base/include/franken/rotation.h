@@ -8,9 +8,9 @@
 
 namespace FRANKEN_API franken {
 
-/// How far a panel (or a touch sensor) is turned clockwise from its native orientation, as its viewer sees it.
-/// The picture is turned the other way. The kernel's `panel orientation` "Left Side Up"
-/// is Quarter, "Upside Down" is Half, "Right Side Up" is ThreeQuarters.
+/// How far a panel (or a touch sensor) is turned clockwise from its native orientation, as its viewer sees
+/// it. The picture is turned the other way. The kernel's `panel orientation` "Left Side Up" is Quarter,
+/// "Upside Down" is Half, "Right Side Up" is ThreeQuarters.
 enum class Rotation { None, Quarter, Half, ThreeQuarters };
 
 /// Degrees clockwise: 0, 90, 180 or 270.

@@ -30,8 +30,8 @@ namespace FRANKEN_API franken {
 /// | compiling alone: render buffer | one of the library's own |
 ///
 /// and no other: other pixel store, hints, line width, generic attribute values and stencil functions stay as
-/// they were. After drawing, the state is that of the last draw; Renderer::releaseState() brings back what was
-/// there before. An application that calls GL in the same context may change any state; it then calls
+/// they were. After drawing, the state is that of the last draw; Renderer::releaseState() brings back what
+/// was there before. An application that calls GL in the same context may change any state; it then calls
 /// invalidate(), once, before the library draws again.
 ///
 /// Belongs to the thread of its context. Calls that change state do nothing else.

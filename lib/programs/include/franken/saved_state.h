@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/generator/texture_role.h"
 #include "franken/gl.h"
 
 #include <array>
@@ -17,9 +18,11 @@ struct SavedState {
         void* pointer = nullptr;
     };
     static constexpr std::array<GLenum, 9> kCapabilities = {
-        GL_BLEND,  GL_DEPTH_TEST,          GL_CULL_FACE,                GL_SCISSOR_TEST,   GL_STENCIL_TEST,
-        GL_DITHER, GL_POLYGON_OFFSET_FILL, GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE};
-    static constexpr std::size_t kUnits = 8, kArrays = 8;
+        GL_BLEND,          GL_DEPTH_TEST, GL_CULL_FACE,           GL_SCISSOR_TEST,
+        GL_STENCIL_TEST,   GL_DITHER,     GL_POLYGON_OFFSET_FILL, GL_SAMPLE_ALPHA_TO_COVERAGE,
+        GL_SAMPLE_COVERAGE};
+    static constexpr std::size_t kUnits = kUsedTextureUnits;
+    static constexpr std::size_t kArrays = 8; ///< What every GLES2 implementation has; programs use fewer.
 
     std::array<GLboolean, kCapabilities.size()> capabilities{};
     GLint program = 0, framebuffer = 0, renderbuffer = 0, arrayBuffer = 0, elementBuffer = 0;

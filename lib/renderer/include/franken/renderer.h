@@ -99,7 +99,7 @@ public:
     Result<PlaceId> addPlace(ModelId model, const glm::dmat4& world = glm::dmat4(1.0));
     /// The oldest place of a model: the one that add() made, until it is removed.
     Result<PlaceId> firstPlace(ModelId model) const;
-    /// Likewise sorts all draws anew. Does nothing for an unknown place.
+    /// Removes a place; the next frame sorts all draws anew. Does nothing for an unknown place.
     void removePlace(PlaceId place);
     /// Moves all that stands there; a mirror in the matrix mirrors. Uploads nothing: the next frame computes
     /// one matrix for each primitive of the place.
@@ -113,11 +113,11 @@ public:
     // materials for a scene that has them. They fail with "renderer.model" for an unknown model.
 
     /// Chooses one of the scene's variants (KHR_materials_variants) for all places that the model has now;
-    /// "" for the materials without a variant. The materials of all variants are on the GPU from the start, so
-    /// that nothing is uploaded; the next frame sorts all draws anew. Fails with "renderer.variant" for an
+    /// "" for the materials without a variant. The materials of all variants are on the GPU from the start,
+    /// so that nothing is uploaded; the next frame sorts all draws anew. Fails with "renderer.variant" for an
     /// unknown name.
     Result<void> setVariant(ModelId model, std::string_view name);
-    /// Likewise, for one place.
+    /// Chooses a variant for one place. Fails as the function above does.
     Result<void> setVariant(PlaceId place, std::string_view name);
 
     /// Replaces a material of the scene; `material` is an index into Scene::materials. Where only factors are
@@ -129,9 +129,9 @@ public:
     /// The material as it is now, to be changed and set again. Fails as setMaterial() does.
     Result<Material> materialOf(ModelId model, int material) const;
 
-    /// Replaces the pixels of a texture of the scene (an index into Scene::textures), and its size; its filters
-    /// stay. Uploads the image with its mipmaps, into the same memory where the size is the same. The source
-    /// reads the pixels again; without one, the renderer keeps them. Fails as an upload, and with
+    /// Replaces the pixels of a texture of the scene (an index into Scene::textures), and its size; its
+    /// filters stay. Uploads the image with its mipmaps, into the same memory where the size is the same. The
+    /// source reads the pixels again; without one, the renderer keeps them. Fails as an upload, and with
     /// "renderer.texture" for an index that is unknown or that no material uses.
     Result<void> setTexture(ModelId model, int texture, const Image& image, PictureSource source = {});
 
@@ -183,10 +183,10 @@ public:
     /// The programs that were replaced by simpler ones, in the order in which they were, and why.
     const std::vector<Fallback>& fallbacks() const;
 
-    /// Clears the target, or its area, and draws. Fails without drawing: with "renderer.target" for a size below 1, an
-    /// area that is not in the target, bits that are not 1 to 16, or a background that is not finite; with "renderer.viewpoint" for numbers that
-    /// are not finite. Fails as prepare() does, once for each set of programs, after it drew all materials
-    /// that have a program.
+    /// Clears the target, or its area, and draws. Fails without drawing: with "renderer.target" for a size
+    /// below 1, an area that is not in the target, bits that are not 1 to 16, or a background that is not
+    /// finite; with "renderer.viewpoint" for numbers that are not finite. Fails as prepare() does, once for
+    /// each set of programs, after it drew all materials that have a program.
     Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
 
     /// Uploads a picture for overlays. Fails as an upload, and with "renderer.image" where its size and its
@@ -201,8 +201,8 @@ public:
     Result<void> drawOverlay(std::span<const OverlayQuad> quads, const DrawTarget& target);
 
     /// What the target's area holds, rows from the top down; a picture that is turned comes out turned. Waits
-    /// for all that was drawn: not for every frame. Fails with "renderer.target" for a framebuffer that is not
-    /// complete, and as an upload. Samples are not averaged by this: read what was resolved.
+    /// for all that was drawn: not for every frame. Fails with "renderer.target" for a framebuffer that is
+    /// not complete, and as an upload. Samples are not averaged by this: read what was resolved.
     Result<Image> readPixels(const DrawTarget& target);
 
     /// For a context that a toolkit draws with as well (Qt, GTK, SDL, ImGui): notes GL's state, all that the
