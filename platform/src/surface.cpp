@@ -2,6 +2,7 @@
 #include "backends.h"
 
 #include <cstdlib>
+#include <iterator>
 
 namespace franken::platform {
 
@@ -105,10 +106,10 @@ std::string_view toString(SurfaceState state) { return kStates[static_cast<std::
 
 Result<Backend> parseBackend(std::string_view text) {
     std::string choices;
-    for (const Backend backend : {Backend::OsMesa, Backend::EglSurfaceless}) {
-        if (toString(backend) == text)
-            return backend;
-        choices.append(choices.empty() ? "" : ", ").append(toString(backend));
+    for (std::size_t i = 0; i < std::size(kBackends); ++i) {
+        if (kBackends[i].text == text)
+            return static_cast<Backend>(i);
+        choices.append(choices.empty() ? "" : ", ").append(kBackends[i].text);
     }
     return Error{"surface.backend", std::string(text), "there is no such backend",
                  "choose one of " + choices};

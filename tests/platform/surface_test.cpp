@@ -259,7 +259,7 @@ TEST(SurfaceOptions, TheShaderCacheGoesToMesaUnlessTheEnvironmentHasOne) {
 }
 
 TEST(BackendNames, GoThereAndBack) {
-    for (const Backend backend : {Backend::OsMesa, Backend::EglSurfaceless})
+    for (const Backend backend : {Backend::OsMesa, Backend::EglSurfaceless, Backend::Kms, Backend::Window})
         EXPECT_EQ(platform::parseBackend(platform::toString(backend)).value(), backend);
 }
 
@@ -267,7 +267,7 @@ TEST(BackendNames, AreListedWhereOneIsWrong) {
     const Result<Backend> backend = platform::parseBackend("glx");
     ASSERT_FALSE(backend);
     EXPECT_EQ(toString(backend.error()),
-              "glx: there is no such backend (choose one of osmesa, egl) [surface.backend]");
+              "glx: there is no such backend (choose one of osmesa, egl, kms, window) [surface.backend]");
 }
 
 } // namespace

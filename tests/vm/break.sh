@@ -8,7 +8,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 copy=$root/build/broken
 log=$copy/break.log
-export GALLIUM_DRIVER=softpipe MESA_SHADER_CACHE_DISABLE=true FRANKEN_HARMED_KIOSK=$copy/build/dev/bin/harmed_kiosk
+export GALLIUM_DRIVER=softpipe MESA_SHADER_CACHE_DISABLE=true
 
 # number|what is held|program|its tests|file|text, once in the file|what takes its place
 faults="\

@@ -48,7 +48,7 @@ protected:
         }
     }
     static std::vector<std::string> command() {
-        return {std::getenv("FRANKEN_KIOSK"), kModels + "BoxTextured-glTF-Binary/BoxTextured.glb",
+        return {FRANKEN_KIOSK, kModels + "BoxTextured-glTF-Binary/BoxTextured.glb",
                 kModels + "2CylinderEngine-glTF-Binary/2CylinderEngine.glb"};
     }
 };

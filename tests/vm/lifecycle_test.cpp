@@ -18,6 +18,7 @@
 #include <xf86drm.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 
@@ -102,7 +103,7 @@ protected:
             m_chip.emplace();
     }
     static std::vector<std::string> kiosk(const std::vector<std::string>& harm) {
-        std::vector<std::string> command = {std::getenv("FRANKEN_HARMED_KIOSK")};
+        std::vector<std::string> command = {FRANKEN_HARMED_KIOSK};
         command.insert(command.end(), harm.begin(), harm.end());
         return command;
     }
