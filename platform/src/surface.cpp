@@ -41,6 +41,10 @@ Result<void> check(const SurfaceOptions& options) {
         return Error{"surface.options", std::to_string(options.samples) + " samples",
                      "the number of samples is out of range",
                      "choose 0 to " + std::to_string(kMaxSamples) + " samples"};
+    const ScreenOptions& screen = options.screen;
+    if (!screen.mirror.empty() && screen.mirror == screen.output)
+        return Error{"surface.options", screen.mirror, "an output cannot mirror itself",
+                     "name two different outputs"};
     return {};
 }
 

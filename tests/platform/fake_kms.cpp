@@ -49,7 +49,7 @@ FakeKms::FakeKms() {
     KmsPlane plane;
     plane.id = 3;
     plane.possibleCrtcs = 1;
-    give(plane, {"type", "FB_ID", "CRTC_ID", "SRC_W", "SRC_H", "CRTC_W", "CRTC_H"});
+    give(plane, {"type", "FB_ID", "CRTC_ID", "SRC_W", "SRC_H", "CRTC_X", "CRTC_Y", "CRTC_W", "CRTC_H"});
     plane.properties["type"].choices = {{"Primary", 1}};
     plane.properties["type"].value = 1;
     plane.formats = {{DRM_FORMAT_XRGB8888, {kTiled, DRM_FORMAT_MOD_LINEAR}},
@@ -57,17 +57,34 @@ FakeKms::FakeKms() {
     resources = {{connector}, {crtc}, {plane}};
 }
 
+KmsConnector& FakeKms::addOutput(std::vector<drm_mode_modeinfo> modes) {
+    // Ids of properties are those of the first output: objects tell them apart.
+    KmsConnector connector = resources.connectors[0];
+    connector.id = 11;
+    connector.name = "HDMI-A-2";
+    connector.modes = std::move(modes);
+    connector.possibleCrtcs = 0b10;
+    KmsObject crtc = resources.crtcs[0];
+    crtc.id = 12;
+    KmsPlane plane = resources.planes[0];
+    plane.id = 13;
+    plane.possibleCrtcs = 0b10;
+    resources.crtcs.push_back(crtc);
+    resources.planes.push_back(plane);
+    return resources.connectors.emplace_back(connector);
+}
+
 int FakeKms::commit(const KmsRequest& request, std::uint32_t flags, std::uint64_t frame) {
     if (!master)
         return -EACCES;
     if ((flags & DRM_MODE_ATOMIC_TEST_ONLY) != 0)
-        return test(m_tried);
+        return test(m_tried) != 0 ? test(m_tried) : testRequest(request);
     const int error = errors.empty() ? 0 : errors.front();
     if (!errors.empty())
         errors.pop_front();
     if (error != 0)
         return error;
-    if (request.size() == 1)
+    if (request.size() <= resources.crtcs.size()) // ACTIVE alone.
         return ++offs, 0;
     ++((flags & DRM_MODE_ATOMIC_ALLOW_MODESET) != 0 ? modesets : flips);
     if ((flags & DRM_MODE_ATOMIC_ALLOW_MODESET) != 0)

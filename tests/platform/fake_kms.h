@@ -9,11 +9,14 @@
 
 namespace franken::platform {
 
-/// A device with one connector, HDMI-A-1, a CRTC and a primary plane. Commits are written down; errors can be
+/// A device with one connector, HDMI-A-1, a CRTC and a primary plane; with another of each after addOutput().
+/// Commits are written down; errors can be
 /// put in their way; flips are answered when the test says so.
 class FakeKms final : public KmsDevice {
 public:
     FakeKms();
+    /// A screen with these modes on HDMI-A-2, with a CRTC and a plane of its own.
+    KmsConnector& addOutput(std::vector<drm_mode_modeinfo> modes);
 
     /// What the next commits that are no TEST_ONLY return, in turn; 0 after them.
     std::deque<int> errors;
@@ -26,10 +29,14 @@ public:
     std::set<std::uint32_t> framebuffers, blobs;
     std::uint64_t lastFrame = 0;
     KmsRequest lastModeset;
+    /// Whether a TEST_ONLY commit is refused: asked for all that it sets.
+    std::function<int(const KmsRequest&)> testRequest = [](const KmsRequest&) { return 0; };
     /// What the last modeset set the property of an object to; nothing where it did not set it.
     std::optional<std::uint64_t> wasSet(const KmsObject& object, const std::string& name) const;
     std::deque<KmsFlip> answers;
-    void answer(std::uint32_t sequence, Nanoseconds time) { answers.push_back({lastFrame, sequence, time}); }
+    void answer(std::uint32_t sequence, Nanoseconds time, std::uint32_t crtc = 2) {
+        answers.push_back({lastFrame, sequence, time, crtc});
+    }
 
     int descriptor() const override { return -1; }
     std::string node() const override { return "/dev/dri/card7"; }

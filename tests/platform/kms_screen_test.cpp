@@ -59,7 +59,7 @@ TEST_F(KmsScreenTest, SetsTheModeOnceAndFlipsThen) {
 TEST_F(KmsScreenTest, TakesAFlipOfAnEarlierFrameForNone) {
     open();
     screen->present(11, now);
-    device.answers.push_back({device.lastFrame - 1, 4, now});
+    device.answers.push_back({device.lastFrame - 1, 4, now, 2});
     EXPECT_FALSE(screen->readFlips(now));
     EXPECT_EQ(screen->state(), SurfaceState::Busy);
 }

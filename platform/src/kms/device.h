@@ -73,6 +73,7 @@ struct KmsFlip {
     std::uint64_t frame; ///< What commit() was given.
     std::uint32_t sequence;
     std::chrono::nanoseconds time;
+    std::uint32_t crtc; ///< A commit to two CRTCs is answered by each.
 };
 
 /// The calls of the kernel's mode setting that this library makes, and all of them: what a test puts a

@@ -180,7 +180,8 @@ int LibdrmDevice::readFlips(std::vector<KmsFlip>& flips) {
             drm_event_vblank flip = {};
             std::memcpy(&flip, buffer + at, sizeof flip);
             flips.push_back({flip.user_data, flip.sequence,
-                             std::chrono::seconds(flip.tv_sec) + std::chrono::microseconds(flip.tv_usec)});
+                             std::chrono::seconds(flip.tv_sec) + std::chrono::microseconds(flip.tv_usec),
+                             flip.crtc_id});
         }
         at += head.length;
     }

@@ -47,6 +47,15 @@ bool comesBefore(const drm_mode_modeinfo& a, const drm_mode_modeinfo& b) {
     return order(a) < order(b);
 }
 
+/// Best first; without interlaced ones.
+std::vector<drm_mode_modeinfo> progressiveModes(const KmsConnector& connector) {
+    std::vector<drm_mode_modeinfo> modes = connector.modes;
+    std::erase_if(modes,
+                  [](const drm_mode_modeinfo& mode) { return (mode.flags & DRM_MODE_FLAG_INTERLACE) != 0; });
+    std::stable_sort(modes.begin(), modes.end(), comesBefore);
+    return modes;
+}
+
 } // namespace
 
 int refreshMilliHertz(const drm_mode_modeinfo& mode) {
@@ -85,10 +94,7 @@ std::vector<ModeChoice> modeChoices(const KmsConnector& connector, const ScreenO
                                     int maxExtent) {
     const Limits limits{options.maxExtent > 0 ? options.maxExtent : maxExtent,
                         static_cast<double>(options.maxPixels)};
-    std::vector<drm_mode_modeinfo> modes = connector.modes;
-    std::erase_if(modes,
-                  [](const drm_mode_modeinfo& mode) { return (mode.flags & DRM_MODE_FLAG_INTERLACE) != 0; });
-    std::stable_sort(modes.begin(), modes.end(), comesBefore);
+    std::vector<drm_mode_modeinfo> modes = progressiveModes(connector);
     if (options.modeline)
         modes.insert(modes.begin(), toMode(*options.modeline));
     if (options.mode)
@@ -101,6 +107,20 @@ std::vector<ModeChoice> modeChoices(const KmsConnector& connector, const ScreenO
     for (const drm_mode_modeinfo& mode : modes)
         if (!limits.allow(sizeOf(mode)))
             choices.push_back({mode, shrunk(sizeOf(mode), limits)});
+    return choices;
+}
+
+std::vector<ModeChoice> mirrorChoices(const KmsConnector& connector, Size buffer, int refreshMilliHertz) {
+    std::vector<ModeChoice> choices;
+    for (const drm_mode_modeinfo& mode : progressiveModes(connector))
+        choices.push_back({mode, buffer});
+    std::stable_sort(choices.begin(), choices.end(), [&](const ModeChoice& a, const ModeChoice& b) {
+        const auto order = [&](const ModeChoice& choice) {
+            const int off = std::abs(platform::refreshMilliHertz(choice.mode) - refreshMilliHertz);
+            return std::pair(choice.scaled(), choice.scaled() ? 0 : off);
+        };
+        return order(a) < order(b);
+    });
     return choices;
 }
 

@@ -27,6 +27,11 @@ struct ModeChoice {
 std::vector<ModeChoice> modeChoices(const KmsConnector& connector, const ScreenOptions& options,
                                     int maxExtent);
 
+/// Modes for a second screen that shows a buffer of that size, in the order to try them: those of its size,
+/// at best of that refresh rate (in thousandths), then the preferred one and the others from the largest
+/// down.
+std::vector<ModeChoice> mirrorChoices(const KmsConnector& connector, Size buffer, int refreshMilliHertz);
+
 /// A format, and the modifiers that the buffer is made with; an empty list is "none, by AddFB2".
 struct FormatChoice {
     PixelFormat format;

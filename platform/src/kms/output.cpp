@@ -88,7 +88,7 @@ const KmsConnector* chooseConnector(const KmsResources& resources, const ScreenO
     };
     const KmsConnector* best = nullptr;
     for (const KmsConnector& connector : resources.connectors) {
-        if (!options.output.empty() && connector.name != options.output)
+        if (connector.name == options.mirror || (!options.output.empty() && connector.name != options.output))
             continue;
         if (isUsable(connector, options) && (best == nullptr || order(connector) < order(*best)))
             best = &connector;
@@ -96,11 +96,19 @@ const KmsConnector* chooseConnector(const KmsResources& resources, const ScreenO
     return best;
 }
 
-std::optional<KmsPipe> choosePipe(const KmsResources& resources, const KmsConnector& connector) {
+const KmsConnector* chooseMirror(const KmsResources& resources, const ScreenOptions& options) {
+    for (const KmsConnector& connector : resources.connectors)
+        if (connector.name == options.mirror && isUsable(connector, options))
+            return &connector;
+    return nullptr;
+}
+
+std::optional<KmsPipe> choosePipe(const KmsResources& resources, const KmsConnector& connector,
+                                  std::uint32_t taken) {
     std::optional<KmsPipe> shared;
     for (std::size_t i = 0; i < resources.crtcs.size(); ++i) {
         const KmsPlane* plane = primaryPlane(resources, i);
-        if ((connector.possibleCrtcs >> i & 1u) == 0 || plane == nullptr)
+        if ((connector.possibleCrtcs >> i & 1u) == 0 || plane == nullptr || resources.crtcs[i].id == taken)
             continue;
         const KmsPipe pipe{connector, resources.crtcs[i], *plane};
         if (!servesAnother(resources, pipe.crtc, connector))

@@ -45,20 +45,39 @@ void setConnector(KmsRequest& request, const KmsPipe& pipe, const KmsLayout& lay
         set(request, connector, "max bpc", 10);
 }
 
-void setPlane(KmsRequest& request, const KmsPipe& pipe, const KmsLayout& layout, Size source,
-              std::uint32_t framebuffer) {
+struct Placement {
+    int x, y, width, height;
+};
+
+/// The buffer on the screen: as large as it goes in its own shape, in the middle. A buffer that has the
+/// screen's shape but for rounding fills it.
+Placement placed(Size buffer, Size screen) {
+    const auto fitted = [](int extent, int numerator, int denominator, int limit) {
+        const auto scaled = static_cast<int>(static_cast<std::int64_t>(extent) * numerator / denominator);
+        constexpr int kRounding = 4;
+        return limit - scaled <= kRounding ? limit : scaled;
+    };
+    const int width = fitted(buffer.width, screen.height, buffer.height, screen.width);
+    const int height = fitted(buffer.height, screen.width, buffer.width, screen.height);
+    return {(screen.width - width) / 2, (screen.height - height) / 2, width, height};
+}
+
+void setPlane(KmsRequest& request, const KmsPipe& pipe, const KmsLayout& layout, std::uint32_t framebuffer) {
     const KmsPlane& plane = pipe.plane;
-    const auto fixed = [](int pixels) { return static_cast<std::uint64_t>(pixels) << 16; }; // 16.16
+    const Size source = layout.mode.buffer;
+    const Placement at = placed(source, {layout.mode.mode.hdisplay, layout.mode.mode.vdisplay});
+    const auto whole = [](int pixels) { return static_cast<std::uint64_t>(pixels); };
+    const auto fixed = [&](int pixels) { return whole(pixels) << 16; }; // 16.16
     set(request, plane, "FB_ID", framebuffer);
     set(request, plane, "CRTC_ID", pipe.crtc.id);
     set(request, plane, "SRC_X", 0);
     set(request, plane, "SRC_Y", 0);
     set(request, plane, "SRC_W", fixed(source.width));
     set(request, plane, "SRC_H", fixed(source.height));
-    set(request, plane, "CRTC_X", 0);
-    set(request, plane, "CRTC_Y", 0);
-    set(request, plane, "CRTC_W", layout.mode.mode.hdisplay);
-    set(request, plane, "CRTC_H", layout.mode.mode.vdisplay);
+    set(request, plane, "CRTC_X", whole(at.x));
+    set(request, plane, "CRTC_Y", whole(at.y));
+    set(request, plane, "CRTC_W", whole(at.width));
+    set(request, plane, "CRTC_H", whole(at.height));
 }
 
 } // namespace
@@ -77,14 +96,14 @@ KmsRequest modesetRequest(const KmsResources& resources, const KmsPipe& pipe, co
     setConnector(request, pipe, layout, options);
     set(request, pipe.crtc, "MODE_ID", modeBlob);
     set(request, pipe.crtc, "ACTIVE", 1);
-    setPlane(request, pipe, layout, layout.mode.buffer, framebuffer);
+    setPlane(request, pipe, layout, framebuffer);
     setChoice(request, pipe.plane, "rotation", "rotate-0");
     return request;
 }
 
-KmsRequest flipRequest(const KmsPipe& pipe, const KmsLayout& layout, Size source, std::uint32_t framebuffer) {
+KmsRequest flipRequest(const KmsPipe& pipe, const KmsLayout& layout, std::uint32_t framebuffer) {
     KmsRequest request;
-    setPlane(request, pipe, layout, source, framebuffer);
+    setPlane(request, pipe, layout, framebuffer);
     return request;
 }
 
@@ -92,6 +111,10 @@ KmsRequest offRequest(const KmsPipe& pipe) {
     KmsRequest request;
     set(request, pipe.crtc, "ACTIVE", 0);
     return request;
+}
+
+void append(KmsRequest& request, const KmsRequest& more) {
+    request.insert(request.end(), more.begin(), more.end());
 }
 
 } // namespace franken::platform

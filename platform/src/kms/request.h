@@ -6,6 +6,9 @@
 
 namespace franken::platform {
 
+inline constexpr std::uint32_t kNonblocking = DRM_MODE_ATOMIC_NONBLOCK;
+inline constexpr std::uint32_t kModeset = DRM_MODE_ATOMIC_ALLOW_MODESET;
+
 /// How the screen is set.
 struct KmsLayout {
     ModeChoice mode;
@@ -19,9 +22,11 @@ KmsRequest modesetRequest(const KmsResources& resources, const KmsPipe& pipe, co
                           std::uint32_t modeBlob, std::uint32_t framebuffer, const ScreenOptions& options);
 
 /// The framebuffer alone.
-KmsRequest flipRequest(const KmsPipe& pipe, const KmsLayout& layout, Size source, std::uint32_t framebuffer);
+KmsRequest flipRequest(const KmsPipe& pipe, const KmsLayout& layout, std::uint32_t framebuffer);
 
 /// No signal.
 KmsRequest offRequest(const KmsPipe& pipe);
+
+void append(KmsRequest& request, const KmsRequest& more);
 
 } // namespace franken::platform

@@ -18,26 +18,6 @@ constexpr Nanoseconds kFirstRetry = 10ms;
 constexpr int kRetries = 5;
 constexpr Nanoseconds kMasterRetry = 1s;
 
-constexpr std::uint32_t kNonblocking = DRM_MODE_ATOMIC_NONBLOCK;
-constexpr std::uint32_t kModeset = DRM_MODE_ATOMIC_ALLOW_MODESET;
-
-std::string sentence(const KmsPipe& pipe, const KmsLayout& layout) {
-    std::string text = pipe.connector.name + " " + describe(layout.mode.mode) + " " +
-                       std::string(toString(layout.format.format));
-    if (layout.mode.scaled())
-        text += ", drawn at " + std::to_string(layout.mode.buffer.width) + "x" +
-                std::to_string(layout.mode.buffer.height);
-    if (layout.rotation != Rotation::None)
-        text += ", turned by " + std::to_string(toDegrees(layout.rotation));
-    return text;
-}
-
-bool sameLayout(const KmsLayout& a, const KmsLayout& b) {
-    return std::memcmp(&a.mode.mode, &b.mode.mode, sizeof a.mode.mode) == 0 &&
-           a.mode.buffer == b.mode.buffer && a.format.fourcc == b.format.fourcc &&
-           a.format.modifiers == b.format.modifiers && a.rotation == b.rotation;
-}
-
 } // namespace
 
 KmsScreen::KmsScreen(KmsDevice& device, KmsBuffers& buffers, const ScreenOptions& options, int maxExtent,
@@ -45,12 +25,17 @@ KmsScreen::KmsScreen(KmsDevice& device, KmsBuffers& buffers, const ScreenOptions
     : m_device(device),
       m_buffers(buffers),
       m_options(options),
+      m_mirrorOptions(options),
       m_maxExtent(maxExtent),
-      m_log(std::move(log)) {}
+      m_log(std::move(log)) {
+    m_mirrorOptions.margins = {};
+}
 
 KmsScreen::~KmsScreen() {
     if (m_modeBlob != 0)
         m_device.removeBlob(m_modeBlob);
+    if (m_mirror)
+        m_device.removeBlob(m_mirror->modeBlob);
 }
 
 void KmsScreen::enter(SurfaceState state, std::string status) {
@@ -68,6 +53,11 @@ void KmsScreen::fail(Error error) {
 }
 
 void KmsScreen::update(Nanoseconds now) {
+    m_mirrorRefused = false;
+    lookAgain(now);
+}
+
+void KmsScreen::lookAgain(Nanoseconds now) {
     m_updateWanted = true;
     settle(now);
 }
@@ -83,10 +73,8 @@ void KmsScreen::settle(Nanoseconds now) {
     }
     if (m_paused)
         return;
-    if (std::exchange(m_resetWanted, false) && m_pipe) {
-        m_device.commit(offRequest(*m_pipe), kModeset | kNonblocking, 0);
-        m_needsModeset = true;
-    }
+    if (std::exchange(m_resetWanted, false) && m_pipe)
+        switchOff();
     if (m_updateWanted)
         configure(now);
     else if (m_blanking != m_applied && m_pipe)
@@ -101,96 +89,6 @@ void KmsScreen::waitForMaster(Nanoseconds now) {
     enter(SurfaceState::Paused, m_device.node() + ": another process is the screen's master");
 }
 
-void KmsScreen::configure(Nanoseconds now) {
-    if (!m_device.isMaster() && m_device.setMaster() != 0)
-        return waitForMaster(now);
-    m_updateWanted = false;
-    if (const int error = m_device.readResources(m_resources, ~0u); error != 0)
-        return refused(error, now);
-    const KmsConnector* connector = chooseConnector(m_resources, m_options);
-    std::optional<KmsPipe> pipe = connector == nullptr ? std::nullopt : choosePipe(m_resources, *connector);
-    if (!pipe) {
-        m_pipe.reset();
-        m_needsModeset = true;
-        m_deadline.reset();
-        m_applied = Blanking::None;
-        const std::string name = m_options.output.empty() ? "any output" : m_options.output;
-        return enter(SurfaceState::NoScreen, connector == nullptr
-                                                 ? "no screen is connected to " + name
-                                                 : connector->name + ": no CRTC is free for it");
-    }
-    if (!m_pipe || m_pipe->connector.id != pipe->connector.id)
-        m_step = 0;
-    if (pipe->connector.word("link-status") == "Bad")
-        m_needsModeset = true;
-    if (!chooseLayout(m_resources, *pipe, now))
-        return;
-    m_pipe = std::move(pipe);
-    m_applied = m_needsModeset ? Blanking::None : m_applied;
-    m_deadline.reset();
-    if (m_blanking != m_applied)
-        return applyBlanking(now);
-    if (m_applied == Blanking::None)
-        readyOrHeld(now);
-}
-
-bool KmsScreen::chooseLayout(const KmsResources& resources, const KmsPipe& pipe, Nanoseconds now) {
-    const std::vector<ModeChoice> modes = modeChoices(pipe.connector, m_options, m_maxExtent);
-    const std::vector<FormatChoice> formats = formatChoices(pipe.plane, m_options.format);
-    const Rotation rotation =
-        m_options.rotation.value_or(mountedRotation(pipe.connector, m_device.kernelCommandLine()));
-    for (; m_step < modes.size() * formats.size(); ++m_step) {
-        const KmsLayout layout{modes[m_step / formats.size()], formats[m_step % formats.size()], rotation};
-        KmsBuffer buffer;
-        const int error = tryLayout(resources, pipe, layout, buffer);
-        if (error == 0)
-            return adopt(pipe, layout, buffer);
-        const CommitAction action = actionFor(error);
-        if (action == CommitAction::WaitForMaster || action == CommitAction::WaitForDevice)
-            return refused(error, now), false;
-    }
-    fail({"screen.no-layout", pipe.connector.name, "the driver refuses every mode and format",
-          "name another output or mode, or give a modeline"});
-    return false;
-}
-
-int KmsScreen::tryLayout(const KmsResources& resources, const KmsPipe& pipe, const KmsLayout& layout,
-                         KmsBuffer& buffer) {
-    if (const int error = m_buffers.tryBuffer(layout.mode.buffer, layout.format, buffer); error != 0)
-        return error;
-    std::uint32_t framebuffer = 0, blob = 0;
-    if (const int error = m_device.addFramebuffer(buffer, framebuffer); error != 0)
-        return error;
-    int error = m_device.addBlob(&layout.mode.mode, sizeof layout.mode.mode, blob);
-    if (error == 0) {
-        error = m_device.commit(modesetRequest(resources, pipe, layout, blob, framebuffer, m_options),
-                                kModeset | DRM_MODE_ATOMIC_TEST_ONLY, 0);
-        m_device.removeBlob(blob);
-    }
-    m_device.removeFramebuffer(framebuffer);
-    return error;
-}
-
-bool KmsScreen::adopt(const KmsPipe& pipe, const KmsLayout& layout, const KmsBuffer& buffer) {
-    if (m_modeBlob != 0 && sameLayout(layout, m_layout))
-        return true;
-    if (m_modeBlob != 0)
-        m_device.removeBlob(std::exchange(m_modeBlob, 0));
-    if (m_device.addBlob(&layout.mode.mode, sizeof layout.mode.mode, m_modeBlob) != 0)
-        m_modeBlob = 0;
-    m_shown = m_waiting = 0;
-    m_needsModeset = true;
-    m_last.reset();
-    m_layout = layout;
-    ++m_layoutCount;
-    if (Result<void> made = m_buffers.makeTarget(buffer, layout.format.format); !made) {
-        Error error = made.error();
-        error.where = pipe.connector.name + ": " + error.where;
-        return fail(std::move(error)), false;
-    }
-    return true;
-}
-
 void KmsScreen::present(std::uint32_t framebuffer, Nanoseconds now) {
     if (!m_pipe) { // Unplugged while it was drawn.
         m_buffers.release(framebuffer);
@@ -198,9 +96,7 @@ void KmsScreen::present(std::uint32_t framebuffer, Nanoseconds now) {
     }
     ++m_frame;
     const bool modeset = m_needsModeset;
-    const KmsRequest request =
-        modeset ? modesetRequest(m_resources, *m_pipe, m_layout, m_modeBlob, framebuffer, m_options)
-                : flipRequest(*m_pipe, m_layout, m_layout.mode.buffer, framebuffer);
+    const KmsRequest request = modeset ? modesetOf(framebuffer) : flipOf(framebuffer);
     const int error =
         m_device.commit(request, kNonblocking | DRM_MODE_PAGE_FLIP_EVENT | (modeset ? kModeset : 0), m_frame);
     if (error != 0) {
@@ -211,10 +107,11 @@ void KmsScreen::present(std::uint32_t framebuffer, Nanoseconds now) {
         m_due.reset(); // The refreshes are counted anew.
     m_needsModeset = false;
     m_flying = framebuffer;
+    m_awaited = m_mirror ? 2 : 1;
     m_waiting = 0;
     m_retries = 0;
     m_deadline = now + m_options.flipTimeout;
-    enter(SurfaceState::Busy, sentence(*m_pipe, m_layout));
+    enter(SurfaceState::Busy, sentence());
 }
 
 void KmsScreen::refused(int error, Nanoseconds now) {
@@ -226,7 +123,8 @@ void KmsScreen::refused(int error, Nanoseconds now) {
     case CommitAction::StepDown:
         if (m_waiting != 0)
             m_buffers.release(std::exchange(m_waiting, 0));
-        ++m_step;
+        if (!giveUpMirror())
+            ++m_step;
         return configure(now);
     case CommitAction::WaitForDevice:
         m_deviceLost = true;
@@ -236,6 +134,8 @@ void KmsScreen::refused(int error, Nanoseconds now) {
 }
 
 void KmsScreen::retryLater(int error, Nanoseconds now) {
+    if (m_retries >= kRetries && giveUpMirror())
+        m_retries = 0;
     if (m_retries >= kRetries) {
         if (m_resets > 0 || !m_pipe)
             return fail({"screen.commit", m_device.node(),
@@ -243,8 +143,7 @@ void KmsScreen::retryLater(int error, Nanoseconds now) {
                          "restart the program; if that does not help, the machine"});
         ++m_resets;
         m_retries = 0;
-        m_device.commit(offRequest(*m_pipe), kModeset | kNonblocking, 0);
-        m_needsModeset = true;
+        switchOff();
     }
     m_deadline = now + kFirstRetry * (1 << m_retries++);
     enter(SurfaceState::Recovering, std::string("the kernel refused a frame: ") + std::strerror(-error));
@@ -253,12 +152,12 @@ void KmsScreen::retryLater(int error, Nanoseconds now) {
 void KmsScreen::flipIsLate(Nanoseconds now) {
     ++m_frame; // Should it come after all, it is not taken for another one.
     m_waiting = std::exchange(m_flying, 0);
+    giveUpMirror();
     if (m_resets > 0)
         return fail({"screen.flip-timeout", m_device.node(), "the driver does not answer page flips",
                      "restart the program; if that does not help, the machine"});
     ++m_resets;
-    m_device.commit(offRequest(*m_pipe), kModeset | kNonblocking, 0);
-    m_needsModeset = true;
+    switchOff();
     if (m_pauseWanted || m_updateWanted)
         return settle(now);
     present(m_waiting, now);
@@ -271,13 +170,13 @@ void KmsScreen::tick(Nanoseconds now) {
     if (m_flying != 0)
         return flipIsLate(now);
     if (m_state == SurfaceState::Paused)
-        return update(now);
+        return lookAgain(now);
     if (m_updateWanted || m_blanking != m_applied)
         return settle(now);
     if (m_waiting != 0)
         return present(m_waiting, now);
     if (m_state == SurfaceState::Recovering)
-        return update(now);
+        return lookAgain(now);
     readyOrHeld(now);
 }
 
@@ -288,9 +187,14 @@ std::optional<CompletedFrame> KmsScreen::readFlips(Nanoseconds now) {
         return std::nullopt;
     }
     std::optional<CompletedFrame> completed;
-    for (const KmsFlip& flip : flips)
-        if (flip.frame == m_frame && m_flying != 0)
-            flipped(flip, completed.emplace());
+    for (const KmsFlip& flip : flips) {
+        if (flip.frame != m_frame || m_flying == 0)
+            continue;
+        if (!m_mirror || flip.crtc != m_mirror->pipe.crtc.id)
+            m_answer = flip;
+        if (--m_awaited == 0)
+            flipped(completed.emplace());
+    }
     if (!completed)
         return completed;
     m_deadline.reset();
@@ -299,14 +203,14 @@ std::optional<CompletedFrame> KmsScreen::readFlips(Nanoseconds now) {
     return completed;
 }
 
-void KmsScreen::flipped(const KmsFlip& flip, CompletedFrame& completed) {
+void KmsScreen::flipped(CompletedFrame& completed) {
     if (m_shown != 0 && m_shown != m_flying)
         m_buffers.release(m_shown);
     m_shown = std::exchange(m_flying, 0);
     m_resets = 0;
-    completed = {flip.sequence, flip.time.count(), 0};
-    if (m_due && flip.sequence > *m_due)
-        completed.missed = static_cast<int>(flip.sequence - *m_due);
+    completed = {m_answer.sequence, m_answer.time.count(), 0};
+    if (m_due && m_answer.sequence > *m_due)
+        completed.missed = static_cast<int>(m_answer.sequence - *m_due);
     m_due.reset();
     m_last = completed;
 }
@@ -331,10 +235,10 @@ void KmsScreen::readyOrHeld(Nanoseconds now) {
             Nanoseconds(m_last->nanoseconds) + (refreshes - 1) * period() + period() / 16;
         if (refreshes > 1 && begin > now) {
             m_deadline = begin;
-            return enter(SurfaceState::Busy, sentence(*m_pipe, m_layout));
+            return enter(SurfaceState::Busy, sentence());
         }
     }
-    enter(SurfaceState::Ready, sentence(*m_pipe, m_layout));
+    enter(SurfaceState::Ready, sentence());
 }
 
 void KmsScreen::blank(Blanking blanking, Nanoseconds now) {
@@ -365,10 +269,10 @@ void KmsScreen::applyBlanking(Nanoseconds now) {
         m_needsModeset = true;
         return readyOrHeld(now);
     }
-    KmsRequest request = offRequest(*m_pipe);
+    KmsRequest request = offOf();
     std::uint32_t black = 0;
     if (m_blanking == Blanking::Black && m_device.addBlack(m_layout.mode.buffer, black) == 0)
-        request = modesetRequest(m_resources, *m_pipe, m_layout, m_modeBlob, black, m_options);
+        request = modesetOf(black);
     if (const int error = m_device.commit(request, kModeset | kNonblocking, 0); error != 0)
         return refused(error, now);
     m_applied = m_blanking;

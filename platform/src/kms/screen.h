@@ -21,6 +21,13 @@ public:
     virtual void release(std::uint32_t framebuffer) = 0;
 };
 
+/// A second screen that shows the buffers of the first.
+struct KmsMirror {
+    KmsPipe pipe;
+    KmsLayout layout;
+    std::uint32_t modeBlob = 0;
+};
+
 /// One screen of a device, whatever may happen to it: what is shown, what is on its way, what is waited for.
 /// Nothing here waits or looks at a clock: times are handed in, and deadline() says when tick() is due.
 class KmsScreen {
@@ -60,6 +67,7 @@ private:
     void enter(SurfaceState state, std::string status);
     void fail(Error error);
     void waitForMaster(Nanoseconds now);
+    void lookAgain(Nanoseconds now);
     void settle(Nanoseconds now);
     void configure(Nanoseconds now);
     /// Falls from choice to choice until TEST_ONLY says yes; false where it entered another state.
@@ -67,17 +75,29 @@ private:
     int tryLayout(const KmsResources& resources, const KmsPipe& pipe, const KmsLayout& layout,
                   KmsBuffer& buffer);
     bool adopt(const KmsPipe& pipe, const KmsLayout& layout, const KmsBuffer& buffer);
+    /// The mirror that TEST_ONLY takes beside that request, if any; else m_mirrorLack says why.
+    std::optional<KmsMirror> findMirror(const KmsResources& resources, const KmsPipe& pipe,
+                                        const KmsLayout& layout, const KmsRequest& request,
+                                        std::uint32_t framebuffer);
+    void adoptMirror(std::optional<KmsMirror> mirror);
+    /// Goes on without it until something is plugged; false where there was none.
+    bool giveUpMirror();
+    KmsRequest modesetOf(std::uint32_t framebuffer) const;
+    KmsRequest flipOf(std::uint32_t framebuffer) const;
+    KmsRequest offOf() const;
+    void switchOff();
+    std::string sentence() const;
     void refused(int error, Nanoseconds now);
     void retryLater(int error, Nanoseconds now);
     void applyBlanking(Nanoseconds now);
-    void flipped(const KmsFlip& flip, CompletedFrame& completed);
+    void flipped(CompletedFrame& completed);
     void flipIsLate(Nanoseconds now);
     Nanoseconds period() const;
     void readyOrHeld(Nanoseconds now);
 
     KmsDevice& m_device;
     KmsBuffers& m_buffers;
-    ScreenOptions m_options;
+    ScreenOptions m_options, m_mirrorOptions; ///< Margins are the first screen's alone.
     int m_maxExtent;
     Log m_log;
 
@@ -94,10 +114,15 @@ private:
     std::size_t m_step = 0; ///< Of the choices: those before were refused.
     std::uint32_t m_modeBlob = 0;
     bool m_needsModeset = true;
+    std::optional<KmsMirror> m_mirror;
+    bool m_mirrorRefused = false;
+    std::string m_mirrorLack; ///< Why there is none, although one is asked for.
 
     std::uint32_t m_shown = 0, m_flying = 0,
                   m_waiting = 0; ///< Framebuffers; m_waiting was refused and is tried again.
     std::uint64_t m_frame = 0;   ///< The number of the last commit.
+    KmsFlip m_answer = {};       ///< Of the first screen to the last commit.
+    int m_awaited = 0;           ///< Screens that have not answered it.
     int m_retries = 0, m_resets = 0;
 
     // What is done as soon as no flip is on its way.

@@ -68,6 +68,11 @@ struct ScreenOptions {
     /// status that has modes (composite).
     std::string output = {};
 
+    /// A second output of the same device that shows the same picture, in its own shape, on black:
+    /// "HDMI-A-2". It is never taken for `output`, may be plugged in and out at any time, and costs no
+    /// drawing. A frame is completed when both screens show it, so that the slower one sets the pace.
+    std::string mirror = {};
+
     /// The kernel driver of the node ("vc4"), where two nodes have a connector of that name; empty: any.
     std::string driver = {};
 
