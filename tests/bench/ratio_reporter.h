@@ -27,7 +27,7 @@ public:
 
     void printRatio(const std::string& one, const std::string& other) {
         if (m_times.count(one) != 0 && m_times.count(other) != 0)
-            std::printf("%s / %s: %.3f\n", one.c_str(), other.c_str(), m_times[one] / m_times[other]);
+            std::printf("%s / %s: %.4g\n", one.c_str(), other.c_str(), m_times[one] / m_times[other]);
     }
 
 private:

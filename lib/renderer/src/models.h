@@ -42,6 +42,7 @@ struct Model {
     std::vector<Place*> places;                        ///< The oldest first.
     std::map<int, Material> changedMaterials = {};     ///< By scene material.
     std::map<int, TextureChange> changedTextures = {}; ///< By scene texture.
+    std::optional<PickTree> pickTree = {};
     std::optional<GpuScene> gpu = {};
     std::uint64_t lastShown = 0; ///< By Device::clock.
 };
@@ -69,6 +70,9 @@ public:
     Result<Material> materialOf(ModelId id, int index) const;
     Result<void> setTexture(ModelId id, int index, const Image& image, PictureSource source);
     Result<ModelNames> namesOf(ModelId id) const;
+
+    Result<void> setPickTree(ModelId id, std::optional<PickTree> tree);
+    Result<std::optional<PlaceHit>> pick(const Ray& ray) const;
 
     void lost() override;
     Result<void> restore() override;

@@ -197,6 +197,15 @@ Result<ModelNames> Renderer::namesOf(ModelId model) const {
     return m_state->note("namesOf()", [&] { return m_state->models.namesOf(model); });
 }
 
+Result<void> Renderer::setPickTree(ModelId model, std::optional<PickTree> tree) {
+    return m_state->note("setPickTree()",
+                         [&] { return m_state->models.setPickTree(model, std::move(tree)); });
+}
+
+Result<std::optional<PlaceHit>> Renderer::pick(const Ray& ray) const {
+    return m_state->note("pick()", [&] { return m_state->models.pick(ray); });
+}
+
 Result<void> Renderer::load(const Scene& scene, SceneSource source) {
     return m_state->call("load()", [&] { return m_state->models.load(scene, std::move(source)); });
 }

@@ -11,6 +11,7 @@
 #include "franken/log.h"
 #include "franken/material.h"
 #include "franken/overlay.h"
+#include "franken/pick.h"
 #include "franken/place.h"
 #include "franken/program_manager.h"
 #include "franken/program_uses.h"
@@ -21,6 +22,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -28,6 +30,12 @@ namespace FRANKEN_API franken {
 
 /// A model that a renderer holds; no other handle of the process has its value.
 enum class ModelId : unsigned {};
+
+/// Where a ray first meets a shown model; point and distance are in the renderer's world.
+struct PlaceHit : Hit {
+    ModelId model{};
+    PlaceId place{};
+};
 
 /// Load again what the GPU lost or evicted: a source reads its file anew, so that no pixels stay in memory
 /// for that. Called from show(), drawOverlay() and restore(), in their thread; a source must not call the
@@ -137,6 +145,20 @@ public:
 
     /// The names in a model; of evicted models as well. Copies them.
     Result<ModelNames> namesOf(ModelId model) const;
+
+    // Picking. The renderer keeps no vertices on the CPU; a PickTree of a model's scene does. Neither call
+    // needs the context.
+
+    /// Takes the tree of the model's scene, by which pick() finds it, or none. Costs nothing; outlasts
+    /// eviction and loss of the context. Fails with "renderer.model" for an unknown model, and with
+    /// "renderer.tree" for a tree of a scene with other counts of instances, materials or variants.
+    Result<void> setPickTree(ModelId model, std::optional<PickTree> tree);
+    /// What the ray first meets of the models that are shown and have a tree, at all of their places that are
+    /// visible, in their variants and with their materials as they are now: rayThrough() makes the ray of a
+    /// point of the picture. Costs a test of a box for each such place, and O(log n) for a place that is near
+    /// the ray; allocates nothing. A place that its matrix presses flat is not met. Fails as
+    /// PickTree::pick().
+    Result<std::optional<PlaceHit>> pick(const Ray& ray) const;
 
     /// Shows a sky behind the scene, or none (null). It lights nothing; Lighting does. Fails as an upload,
     /// and with "renderer.sky" or "renderer.image" where the cube's faces do not fit together or the GPU.
