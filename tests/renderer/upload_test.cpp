@@ -200,9 +200,9 @@ TEST(Resampled, NormalsStayUnitVectors) {
     }
 }
 
-TEST(SrgbMipmaps, AverageLightNotCodes) {
+TEST(Mipmaps, AverageLightNotCodes) {
     const Image fine = checkers(4, 4, glm::vec4(1), glm::vec4(0, 0, 0, 1));
-    const std::vector<Image> levels = srgbMipmaps(fine);
+    const std::vector<Image> levels = mipmaps(fine, TextureContents::Color);
     ASSERT_EQ(levels.size(), 2u);
     EXPECT_EQ(levels[0].width, 2);
     EXPECT_EQ(levels[1].width, 1);
@@ -212,10 +212,20 @@ TEST(SrgbMipmaps, AverageLightNotCodes) {
     EXPECT_EQ(levels[1].rgba[0], 188);
 }
 
-TEST(SrgbMipmaps, OddSizesLeaveNothingOut) {
+TEST(Mipmaps, OfNumbersAverageTheCodes) {
+    const Image fine = checkers(4, 4, glm::vec4(1), glm::vec4(0, 0, 0, 1));
+    for (const TextureContents contents : {TextureContents::Numbers, TextureContents::Normals}) {
+        const std::vector<Image> levels = mipmaps(fine, contents);
+        ASSERT_EQ(levels.size(), 2u);
+        EXPECT_EQ(std::vector<std::uint8_t>(levels[0].rgba.begin(), levels[0].rgba.begin() + 4),
+                  (std::vector<std::uint8_t>{128, 128, 128, 255}));
+    }
+}
+
+TEST(Mipmaps, OddSizesLeaveNothingOut) {
     Image row{"", 5, 1, std::vector<std::uint8_t>(20, 0)};
     row.rgba[16] = row.rgba[19] = 255; // The last pixel is red.
-    const std::vector<Image> levels = srgbMipmaps(row);
+    const std::vector<Image> levels = mipmaps(row, TextureContents::Color);
     ASSERT_EQ(levels.size(), 2u);
     ASSERT_EQ(levels[0].width, 2);
     EXPECT_EQ(levels[0].rgba[0], 0);
@@ -223,11 +233,13 @@ TEST(SrgbMipmaps, OddSizesLeaveNothingOut) {
     EXPECT_EQ(levels[1].rgba[0], 124); // A fifth of the whole row's.
 }
 
-TEST(SrgbMipmaps, KeepEveryCodeThatIsAlone) {
+TEST(Mipmaps, KeepEveryCodeThatIsAlone) {
     for (int code = 0; code < 256; ++code) {
         const auto byte = static_cast<std::uint8_t>(code);
         const Image flat{"", 3, 1, {byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte, byte}};
-        EXPECT_EQ(srgbMipmaps(flat)[0].rgba, (std::vector<std::uint8_t>{byte, byte, byte, byte})) << code;
+        EXPECT_EQ(mipmaps(flat, TextureContents::Color)[0].rgba,
+                  (std::vector<std::uint8_t>{byte, byte, byte, byte}))
+            << code;
     }
 }
 

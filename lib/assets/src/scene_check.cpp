@@ -74,7 +74,8 @@ private:
         const bool hasSize = image.width > 0 && image.height > 0;
         const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
         expect(hasSize, where, "", "it has no pixels");
-        expect(!hasSize || (image.rgba.size() % 4 == 0 && image.rgba.size() / 4 == pixels), where, ".rgba",
+        const bool hasPixels = image.rgba.size() % 4 == 0 && image.rgba.size() / 4 == pixels;
+        expect(!hasSize || hasPixels || (image.rgba.empty() && !image.encoded.empty()), where, ".rgba",
                "it must hold four bytes for each pixel");
     }
 

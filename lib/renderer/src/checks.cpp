@@ -124,7 +124,8 @@ Result<void> check(std::span<const OverlayQuad> quads) {
 Result<void> check(const Image& image) {
     const bool hasSize = image.width > 0 && image.height > 0;
     const auto pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
-    if (hasSize && image.rgba.size() / 4 == pixels && image.rgba.size() % 4 == 0)
+    const bool isEncoded = image.rgba.empty() && !image.encoded.empty();
+    if (hasSize && (isEncoded || (image.rgba.size() / 4 == pixels && image.rgba.size() % 4 == 0)))
         return {};
     return Error{"renderer.image", image.name,
                  hasSize ? "an image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +

@@ -44,7 +44,8 @@ bool GeometryEqual::operator()(const Primitive* a, const Primitive* b) const {
 }
 
 std::size_t SampledImageHash::operator()(const SampledImage& texture) const {
-    return combined(std::hash<std::string_view>()(bytesOf(texture.image->rgba)),
+    const Image& image = *texture.image;
+    return combined(std::hash<std::string_view>()(bytesOf(image.rgba.empty() ? image.encoded : image.rgba)),
                     static_cast<std::size_t>(texture.image->width));
 }
 
@@ -52,7 +53,7 @@ bool SampledImageEqual::operator()(const SampledImage& a, const SampledImage& b)
     return a.contents == b.contents && a.sampling.wrapS == b.sampling.wrapS &&
            a.sampling.wrapT == b.sampling.wrapT && a.sampling.magFilter == b.sampling.magFilter &&
            a.sampling.minFilter == b.sampling.minFilter && a.image->width == b.image->width &&
-           (a.image == b.image || a.image->rgba == b.image->rgba);
+           (a.image == b.image || (a.image->rgba == b.image->rgba && a.image->encoded == b.image->encoded));
 }
 
 } // namespace franken

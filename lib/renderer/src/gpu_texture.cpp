@@ -27,43 +27,33 @@ int nearestPowerOfTwo(int size) {
     return size >= low * std::numbers::sqrt2 ? 2 * low : low;
 }
 
-void bind(const Gl& gl, GLenum target, const GlTexture& texture, const Texture& sampling) {
+void bind(const Gl& gl, GLenum target, const GlTexture& texture) {
     gl.ActiveTexture(GL_TEXTURE0);
     gl.BindTexture(target, texture.name());
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
+}
+
+void bind(const Gl& gl, GLenum target, const GlTexture& texture, const Texture& sampling) {
+    bind(gl, target, texture);
     setSampling(gl, target, sampling.wrapS, sampling.wrapT, sampling.magFilter, sampling.minFilter);
 }
 
-/// Makes a level of the texture that is bound, or replaces what is in it.
-using WriteLevel = void (*)(const Gl& gl, GLenum target, const Image& image, GLint level);
-
-void uploadPixels(const Gl& gl, GLenum target, const Image& image, GLint level = 0) {
-    gl.TexImage2D(target, level, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                  image.rgba.data());
+/// Makes a level of the texture that is bound; without texels where `rgba` is null.
+void makeLevel(const Gl& gl, GLenum target, GLint level, const Image& image, const std::uint8_t* rgba) {
+    gl.TexImage2D(target, level, GL_RGBA, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 }
 
-void replacePixels(const Gl& gl, GLenum target, const Image& image, GLint level) {
-    gl.TexSubImage2D(target, level, 0, 0, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                     image.rgba.data());
-}
+std::size_t rowBytes(const Image& image) { return 4 * static_cast<std::size_t>(image.width); }
 
-void writeLevels(const Gl& gl, const Image& image, bool mipmaps, TextureContents contents, WriteLevel write) {
-    write(gl, GL_TEXTURE_2D, image, 0);
-    if (mipmaps && contents != TextureContents::Color)
-        gl.GenerateMipmap(GL_TEXTURE_2D);
-    else if (mipmaps)
-        for (GLint level = 0; const Image& smaller : srgbMipmaps(image))
-            write(gl, GL_TEXTURE_2D, smaller, ++level);
-}
-
-void writeFitted(const Gl& gl, const Image& image, TextureSize size, const Texture& texture,
-                 TextureContents contents, WriteLevel write) {
-    const bool mipmaps = usesMipmaps(texture.minFilter);
-    if (size == TextureSize{image.width, image.height})
-        writeLevels(gl, image, mipmaps, contents, write);
-    else
-        writeLevels(gl, resampled(image, size.width, size.height, texture, contents), mipmaps, contents,
-                    write);
+/// How many rows from `row` on are written at once. vc4 and v3d keep texels in tiles of four rows: where only
+/// a part of a tile is written, they read it back first.
+int rowsWithin(const Image& image, int row, std::size_t maxBytes) {
+    constexpr int kTileRows = 4;
+    const std::size_t most = std::max<std::size_t>(1, maxBytes / rowBytes(image));
+    if (most >= static_cast<std::size_t>(image.height - row))
+        return image.height - row;
+    const int rows = static_cast<int>(most);
+    return rows > kTileRows ? rows - rows % kTileRows : rows;
 }
 
 } // namespace
@@ -90,26 +80,79 @@ std::size_t textureBytes(TextureSize size, bool mipmaps) {
     }
 }
 
-Result<GpuTexture> uploadTexture(Device& device, const Image& image, const Texture& texture,
-                                 TextureContents contents) {
+Result<TextureData> TextureData::make(const Image& image, const Texture& texture, TextureContents contents,
+                                      const Capabilities& capabilities) {
     if (Result<void> checked = check(image); !checked)
         return checked.error();
-    const Gl& gl = device.gl;
-    const TextureSize size = fittedSize(image, texture, device.capabilities);
-    const bool mipmaps = usesMipmaps(texture.minFilter);
-    Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Textures, textureBytes(size, mipmaps));
+    TextureData data(image, texture, contents);
+    if (!image.encoded.empty()) {
+        Result<Image> decoded = withPixels(image);
+        if (!decoded)
+            return decoded.error();
+        data.m_own = *std::move(decoded);
+    }
+    const TextureSize size = fittedSize(data.level(0), texture, capabilities);
+    if (std::max(data.level(0).width, data.level(0).height) > capabilities.maxTextureSize)
+        data.m_notice = "image \"" + image.name + "\" is scaled down to " + std::to_string(size.width) + "x" +
+                        std::to_string(size.height) + ", the GPU's limit";
+    if (size != TextureSize{data.level(0).width, data.level(0).height})
+        data.m_own = resampled(data.level(0), size.width, size.height, texture, contents);
+    if (usesMipmaps(texture.minFilter))
+        data.m_smaller = mipmaps(data.level(0), contents);
+    return data;
+}
+
+std::size_t TextureData::bytes() const {
+    return textureBytes({level(0).width, level(0).height}, !m_smaller.empty());
+}
+
+Result<TextureUpload> TextureUpload::begin(Device& device, TextureData data) {
+    Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Textures, data.bytes());
     if (!lease)
         return lease.error();
-    if (device.log && std::max(image.width, image.height) > device.capabilities.maxTextureSize)
-        device.log(LogLevel::Warning, "image \"" + image.name + "\" is scaled down to " +
-                                          std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                          ", the GPU's limit");
-    GlTexture name(gl, generate(gl.GenTextures));
+    if (device.log && !data.notice().empty())
+        device.log(LogLevel::Warning, data.notice());
+    GlTexture name(device.gl, generate(device.gl.GenTextures));
     if (!name)
         return noObject("texture");
-    bind(gl, GL_TEXTURE_2D, name, texture);
-    writeFitted(gl, image, size, texture, contents, uploadPixels);
-    return GpuTexture{std::move(name), *std::move(lease), size, contents};
+    bind(device.gl, GL_TEXTURE_2D, name, data.sampling());
+    const Image& whole = data.level(0);
+    GpuTexture texture{std::move(name), *std::move(lease), {whole.width, whole.height}, data.contents()};
+    return TextureUpload(std::move(texture), std::move(data));
+}
+
+std::size_t TextureUpload::step(const Gl& gl, std::size_t maxBytes) {
+    const Image& image = m_data.level(m_level);
+    const auto level = static_cast<GLint>(m_level);
+    const int rows = rowsWithin(image, m_row, maxBytes);
+    bind(gl, GL_TEXTURE_2D, m_texture.texture);
+    if (rows == image.height && !m_replaces) {
+        makeLevel(gl, GL_TEXTURE_2D, level, image, image.rgba.data());
+    } else {
+        if (m_row == 0 && !m_replaces)
+            makeLevel(gl, GL_TEXTURE_2D, level, image, nullptr);
+        gl.TexSubImage2D(GL_TEXTURE_2D, level, 0, m_row, image.width, rows, GL_RGBA, GL_UNSIGNED_BYTE,
+                         image.rgba.data() + static_cast<std::size_t>(m_row) * rowBytes(image));
+    }
+    m_row += rows;
+    if (m_row == image.height) {
+        m_row = 0;
+        ++m_level;
+    }
+    return static_cast<std::size_t>(rows) * rowBytes(image);
+}
+
+Result<GpuTexture> uploadTexture(Device& device, const Image& image, const Texture& texture,
+                                 TextureContents contents) {
+    Result<TextureData> data = TextureData::make(image, texture, contents, device.capabilities);
+    if (!data)
+        return data.error();
+    Result<TextureUpload> upload = TextureUpload::begin(device, *std::move(data));
+    if (!upload)
+        return upload.error();
+    while (!upload->isDone())
+        upload->step(device.gl);
+    return upload->take();
 }
 
 Result<bool> updateTexture(Device& device, GpuTexture& gpu, const Image& image, const Texture& texture) {
@@ -117,15 +160,20 @@ Result<bool> updateTexture(Device& device, GpuTexture& gpu, const Image& image, 
         return checked.error();
     if (fittedSize(image, texture, device.capabilities) != gpu.size)
         return false;
-    bind(device.gl, GL_TEXTURE_2D, gpu.texture, texture);
-    writeFitted(device.gl, image, gpu.size, texture, gpu.contents, replacePixels);
+    Result<TextureData> data = TextureData::make(image, texture, gpu.contents, device.capabilities);
+    if (!data)
+        return data.error();
+    TextureUpload upload = TextureUpload::into(std::move(gpu), *std::move(data));
+    while (!upload.isDone())
+        upload.step(device.gl);
+    gpu = upload.take();
     return true;
 }
 
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
     GlTexture name(gl, generate(gl.GenTextures));
     bind(gl, GL_TEXTURE_2D, name, kPlainSampling);
-    uploadPixels(gl, GL_TEXTURE_2D, {"", 1, 1, {rgba.begin(), rgba.end()}});
+    makeLevel(gl, GL_TEXTURE_2D, 0, {"", 1, 1, {}}, rgba.data());
     return name;
 }
 
@@ -149,8 +197,8 @@ Result<GpuTexture> uploadCube(Device& device, const SkyboxMap& cube) {
         return noObject("texture");
     bind(device.gl, GL_TEXTURE_CUBE_MAP, name, kPlainSampling);
     for (std::size_t face = 0; face < cube.images.size(); ++face)
-        uploadPixels(device.gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face),
-                     cube.images[face]);
+        makeLevel(device.gl, GL_TEXTURE_CUBE_MAP_POSITIVE_X + static_cast<GLenum>(face), 0, cube.images[face],
+                  cube.images[face].rgba.data());
     return GpuTexture{std::move(name), *std::move(lease), {cube.size, cube.size}};
 }
 

@@ -4,8 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
+#include <stop_token>
 #include <string>
+#include <string_view>
 
 #include "franken/api.h"
 #include "franken/log.h"
@@ -14,7 +17,17 @@
 
 namespace FRANKEN_API franken {
 
-/// Limits for loading a file. A file that exceeds them is refused, not cut.
+/// How the images of a scene come out.
+enum class ImageForm {
+    Pixels,  ///< Image::rgba: decoded, all of them at once in memory.
+    Encoded, ///< Image::encoded: to be decoded one at a time, by whoever uploads them. Only headers are read.
+};
+
+/// Called with the share of loading that is done, 0 to 1 and never less than before, and with what is being
+/// done ("images"). In the thread that loads; exceptions that it throws are dropped.
+using LoadProgress = std::function<void(float done, std::string_view what)>;
+
+/// Limits for loading a file, and how to load it. A file that exceeds the limits is refused, not cut.
 struct LoadOptions {
     /// Of the file, and of each that it refers to.
     std::size_t maxFileBytes = std::size_t{128} << 20;
@@ -26,6 +39,16 @@ struct LoadOptions {
     std::size_t maxMemoryBytes = std::size_t{240} << 20;
 
     int maxImageSize = kMaxImageSize; ///< Width and height of an image, pixels.
+
+    /// For a scene that goes to a renderer, Encoded: five JPEGs of 4096 x 4096 take 320 MiB as pixels. An
+    /// image with a good header that cannot be decoded is only found when it is uploaded, then.
+    ImageForm images = ImageForm::Pixels;
+
+    LoadProgress progress = {};
+
+    /// Ends loading with "gltf.cancelled" where it is requested, from any thread; after one image or mesh at
+    /// most.
+    std::stop_token cancel = {};
 };
 
 /// Reads a glTF 2.0 file (.gltf or .glb, distinguished by content) with all files that it refers to.
@@ -66,6 +89,7 @@ struct LoadOptions {
 ///     gltf.node-tree       nodes in a cycle, or with two parents
 ///     gltf.vertex-range    a vertex index that is not below the vertex count
 ///     gltf.limit           deeper than 64, more than the options allow, or than there is memory
+///     gltf.cancelled       LoadOptions::cancel was requested: nothing is wrong with the file
 ///
 /// Warnings end with their code in brackets:
 ///

@@ -19,7 +19,11 @@ struct Image {
     std::string name;               ///< From the file, for messages; may be empty.
     int width = 0;                  ///< Pixels; 0 only in an image that was never filled.
     int height = 0;                 ///< Pixels.
-    std::vector<std::uint8_t> rgba; ///< width * height * 4 bytes.
+    std::vector<std::uint8_t> rgba; ///< width * height * 4 bytes; none while it is encoded.
+
+    /// The PNG or JPEG that the pixels are still in, where there are none in `rgba`: a fiftieth of their
+    /// memory. A renderer decodes it when it uploads it, one image at a time.
+    std::vector<std::uint8_t> encoded = {};
 };
 
 /// The largest width and height that decodeImage() takes unless told otherwise. Every texture limit of a
@@ -32,5 +36,9 @@ inline constexpr int kMaxImageSize = 8192;
 /// Fails with "image.format" (neither PNG nor JPEG, or broken) or "image.size" (too wide or too high).
 /// Safe on any thread.
 Result<Image> decodeImage(std::span<const std::uint8_t> encoded, int maxSize = kMaxImageSize);
+
+/// The image with its pixels in `rgba`; a copy where they are there already. Fails as decodeImage() does.
+/// Safe on any thread.
+Result<Image> withPixels(const Image& image);
 
 } // namespace franken

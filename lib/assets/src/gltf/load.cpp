@@ -25,10 +25,11 @@ namespace {
 
 bool load(Document& source, const std::filesystem::path* folder, Scene& scene) {
     Json root;
-    if (!source.charge(source.bytes.size(), 1, "") || !openContainer(source) || !readJson(source, root) ||
-        !parseModel(source, root) || !validateData(source) || !validateTree(source) ||
+    if (!source.proceed(kReadFile, "JSON") || !source.charge(source.bytes.size(), 1, "") ||
+        !openContainer(source) || !readJson(source, root) || !parseModel(source, root) ||
+        !validateData(source) || !validateTree(source) || !source.proceed(kReadJson, "files") ||
         !loadResources(source, folder) || !readMaterials(source, materialsInScene(source), scene) ||
-        !readNodes(source, scene))
+        !readNodes(source, scene) || !source.proceed(1, "done"))
         return false;
     source.warnOfUnneeded();
     return true;

@@ -179,6 +179,10 @@ bool Walker::addMesh(int index) {
     const tinygltf::Node& node = m_source.model.nodes[at(index)];
     if (node.mesh == kNone)
         return true;
+    const float share =
+        static_cast<float>(m_scene.instances.size()) / static_cast<float>(m_source.model.nodes.size());
+    if (!m_source.proceed(kReadImages + (1 - kReadImages) * share, "meshes"))
+        return false;
     glm::dmat4 world = m_worlds[at(index)];
     bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
     Pose pose;

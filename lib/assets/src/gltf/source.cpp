@@ -50,7 +50,21 @@ void Source::warnOfUnneeded() const {
                                        fault.code + ") [" + std::string(kUnneeded) + "]");
 }
 
+bool Source::proceed(float done, std::string_view what) {
+    if (options.cancel.stop_requested())
+        return fail("gltf.cancelled", "", "loading was cancelled", "load it again when it is wanted");
+    try {
+        if (options.progress)
+            options.progress(done, what);
+    } catch (...) { // Nobody is there to be told of it.
+        return true;
+    }
+    return true;
+}
+
 bool Source::charge(std::size_t count, std::size_t bytesEach, const std::string& where) {
+    if (options.cancel.stop_requested())
+        return proceed(0, where);
     if (count > room() / bytesEach)
         return fail("gltf.limit", where,
                     "the file needs more memory than the limit of " +

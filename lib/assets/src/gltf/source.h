@@ -43,6 +43,9 @@ inline constexpr std::string_view kMended = "gltf.mended";
 inline constexpr std::string_view kUnneeded = "gltf.unneeded";
 inline constexpr std::string_view kLeftOut = "gltf.left-out";
 
+// How much is done when each part has ended, by the time that they take of usual files.
+inline constexpr float kReadFile = 0.05f, kReadJson = 0.1f, kReadImages = 0.7f;
+
 /// A file being loaded, and where complaints about it go. Functions that can fail return false after a call
 /// of fail(); the first error stays.
 struct Source {
@@ -72,8 +75,12 @@ struct Source {
     /// Warns of the faults that nothing needed.
     void warnOfUnneeded() const;
 
+    /// Says how much is done, and what comes now. False with an error where loading is cancelled.
+    bool proceed(float done, std::string_view what);
+
     /// Takes `count` times `bytesEach` from the memory that the file may use, for `where`, before it is
-    /// allocated. Nothing is ever given back: so it bounds the work as well.
+    /// allocated. Nothing is ever given back: so it bounds the work as well. Fails where loading is
+    /// cancelled, too: whatever takes long allocates.
     bool charge(std::size_t count, std::size_t bytesEach, const std::string& where);
     /// What is left of it.
     std::size_t room() const { return options.maxMemoryBytes - charged; }

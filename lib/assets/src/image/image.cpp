@@ -83,4 +83,13 @@ Result<Image> decodeImage(std::span<const std::uint8_t> encoded, int maxSize) {
     return image;
 }
 
+Result<Image> withPixels(const Image& image) {
+    if (image.encoded.empty())
+        return image;
+    Result<Image> decoded = decodeImage(image.encoded);
+    if (decoded)
+        decoded->name = image.name;
+    return decoded;
+}
+
 } // namespace franken

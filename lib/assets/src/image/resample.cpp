@@ -46,31 +46,53 @@ std::vector<Tap> tapsOf(int out, int sizeOut, int sizeIn, Wrap wrap) {
     return taps;
 }
 
-/// One axis of an image.
-struct Axis {
-    int sizeIn, sizeOut;
-    Wrap wrap;
-};
-
-/// Scales rows, `count` of them, and transposes: two calls scale both axes. `read` returns the value at an
-/// index of the row-major image, four to a pixel.
-template<typename Read>
-std::vector<float> scaledAcross(const Read& read, const Axis& axis, int count) {
-    const auto pixelAt = [](int row, int rowSize, int column) {
-        return 4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(rowSize) +
-                    static_cast<std::size_t>(column));
-    };
-    std::vector<float> out(pixelAt(axis.sizeOut, count, 0));
-    for (int x = 0; x < axis.sizeOut; ++x) {
-        const std::vector<Tap> taps = tapsOf(x, axis.sizeOut, axis.sizeIn, axis.wrap);
-        for (int y = 0; y < count; ++y)
-            for (const Tap& tap : taps)
-                for (std::size_t channel = 0; channel < 4; ++channel)
-                    out[pixelAt(x, count, y) + channel] +=
-                        tap.weight * read(pixelAt(y, axis.sizeIn, tap.pixel) + channel);
+/// The rows of an image, scaled across. The last ones that were asked for are kept: those below each other
+/// are asked for several times.
+class ScaledRows {
+public:
+    ScaledRows(const Image& image, int width, Wrap wrap, TextureContents contents, std::size_t kept)
+        : m_image(image), m_contents(contents), m_rows(kept) {
+        for (int x = 0; x < width; ++x)
+            m_taps.push_back(tapsOf(x, width, image.width, wrap));
     }
-    return out;
-}
+
+    /// Four numbers to a pixel, of colours in linear light; good until the next call.
+    const std::vector<float>& at(int y) {
+        Row& row = m_rows[static_cast<std::size_t>(y) % m_rows.size()];
+        if (row.y != y)
+            fill(row, y);
+        return row.values;
+    }
+
+private:
+    struct Row {
+        int y = -1;
+        std::vector<float> values = {};
+    };
+
+    void fill(Row& row, int y) const {
+        const std::size_t bytes = 4 * static_cast<std::size_t>(m_image.width);
+        const std::uint8_t* const codes = m_image.rgba.data() + static_cast<std::size_t>(y) * bytes;
+        row.y = y;
+        row.values.assign(4 * m_taps.size(), 0);
+        for (std::size_t x = 0; x < m_taps.size(); ++x)
+            for (const Tap& tap : m_taps[x])
+                for (std::size_t channel = 0; channel < 4; ++channel)
+                    row.values[4 * x + channel] +=
+                        tap.weight *
+                        decoded(codes[4 * static_cast<std::size_t>(tap.pixel) + channel], channel);
+    }
+
+    float decoded(std::uint8_t code, std::size_t channel) const {
+        return m_contents == TextureContents::Color && channel != 3 ? m_tables.lightOf(code) : code;
+    }
+
+    const SrgbTables& m_tables = SrgbTables::get();
+    const Image& m_image;
+    TextureContents m_contents;
+    std::vector<std::vector<Tap>> m_taps; ///< By pixel of a scaled row.
+    std::vector<Row> m_rows;
+};
 
 std::uint8_t toCode(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 255.0f)));
@@ -92,18 +114,21 @@ void encode(const float* value, TextureContents contents, std::uint8_t* code) {
 } // namespace
 
 Image resampled(const Image& image, int width, int height, const Texture& texture, TextureContents contents) {
-    const SrgbTables& tables = SrgbTables::get();
-    const auto decoded = [&](std::size_t index) {
-        const std::uint8_t code = image.rgba[index];
-        return contents == TextureContents::Color && index % 4 != 3 ? tables.lightOf(code) : code;
-    };
-    const std::vector<float> columns =
-        scaledAcross(decoded, {image.width, width, texture.wrapS}, image.height);
-    const std::vector<float> rows = scaledAcross([&](std::size_t index) { return columns[index]; },
-                                                 {image.height, height, texture.wrapT}, width);
-    Image result{image.name, width, height, std::vector<std::uint8_t>(rows.size())};
-    for (std::size_t i = 0; i < rows.size(); i += 4)
-        encode(&rows[i], contents, &result.rgba[i]);
+    const std::size_t kept = tapsOf(0, height, image.height, texture.wrapT).size() + 1;
+    ScaledRows rows(image, width, texture.wrapS, contents, kept);
+    Image result{image.name, width, height, {}};
+    result.rgba.resize(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    std::uint8_t* code = result.rgba.data();
+    for (int y = 0; y < height; ++y) {
+        std::vector<float> sum(4 * static_cast<std::size_t>(width));
+        for (const Tap& tap : tapsOf(y, height, image.height, texture.wrapT)) {
+            const std::vector<float>& row = rows.at(tap.pixel);
+            for (std::size_t i = 0; i < sum.size(); ++i)
+                sum[i] += tap.weight * row[i];
+        }
+        for (std::size_t i = 0; i < sum.size(); i += 4, code += 4)
+            encode(&sum[i], contents, code);
+    }
     return result;
 }
 
