@@ -3,6 +3,9 @@
 
 #include "franken/printable.h"
 
+#include <array>
+#include <cstdio>
+
 using namespace franken;
 
 namespace {
@@ -18,6 +21,12 @@ std::size_t trianglesOf(const Mesh& mesh) {
     for (const Primitive& primitive : mesh.primitives)
         triangles += primitive.indices.size() / 3;
     return triangles;
+}
+
+std::string toString(const glm::dvec3& vector) {
+    std::array<char, 96> text{};
+    std::snprintf(text.data(), text.size(), "%.6g %.6g %.6g", vector.x, vector.y, vector.z);
+    return text.data();
 }
 
 const char* kindOf(const Light& light) {
@@ -48,4 +57,15 @@ std::string listOf(const Scene& scene) {
             std::to_string(trianglesOf(scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)])) +
                 " triangles");
     return list;
+}
+
+std::string listOf(const Scene& scene, const std::optional<Hit>& hit) {
+    if (!hit)
+        return "nothing\n";
+    const auto node = static_cast<std::size_t>(hit->instance),
+               material = static_cast<std::size_t>(hit->material);
+    return line("node", node, scene.instances[node].name) +
+           line("material", material, scene.materials[material].name) + "primitive " +
+           std::to_string(hit->primitive) + ", triangle " + std::to_string(hit->triangle) + ", at " +
+           toString(hit->barycentric) + "\npoint " + toString(hit->point) + "\n";
 }

@@ -17,6 +17,8 @@ void logToStderr(LogLevel level, std::string_view message) {
 std::optional<Failure> work(Session& session, const Options& options) {
     if (options.list)
         return session.printList();
+    if (options.pick)
+        return session.printPick();
     if (options.permutations)
         return session.printPermutations();
     if (options.watch)

@@ -25,6 +25,7 @@ constexpr char kFooter[] =
     "Example: viewer WaterBottle.gltf -o bottle.png --size 800x600 --sun -1,-1,-0.5:3,3,2.5 --tone-map "
     "neutral";
 
+constexpr int kMaxTurntable = 3600;
 constexpr unsigned kMaxMebibytes = 4095; // What 32 bits can count the bytes of.
 
 // The whole text is one number.
@@ -69,6 +70,15 @@ platform::Size toSize(const std::string& text) {
         !CLI::detail::lexical_cast(parts[1], height) || width < 1 || height < 1)
         throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT in pixels");
     return {width, height};
+}
+
+std::array<int, 2> toPixel(const std::string& text) {
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    std::array<int, 2> pixel{};
+    if (parts.size() != 2 || !CLI::detail::lexical_cast(parts[0], pixel[0]) ||
+        !CLI::detail::lexical_cast(parts[1], pixel[1]))
+        throw CLI::ValidationError("--pick", "'" + text + "' is not a pixel, X,Y");
+    return pixel;
 }
 
 // A permutation's word as an option takes it whose name says the rest: "--decode srgb" for "decode-srgb".
@@ -117,6 +127,11 @@ void addTarget(CLI::App& app, Options& options) {
            "--size", [&options](const std::string& text) { options.size = toSize(text); },
            "In pixels [512x512]")
         ->type_name("WxH");
+    app.add_option("--turntable", options.turntable,
+                   "So many pictures from all around, the camera going to the right round the middle of the "
+                   "model: FILE with -1, -2, ... before its extension")
+        ->type_name("N")
+        ->check(CLI::Range(1, kMaxTurntable).description(""));
     app.add_flag("--supersample", options.supersample, "Four samples a pixel");
     addChoice(app, "--backend", options.backend, "What draws",
               {{"osmesa", platform::Backend::OsMesa}, {"egl", platform::Backend::EglSurfaceless}});
@@ -151,13 +166,35 @@ void addLoading(CLI::App& app, Options& options) {
     app.add_flag("--watch", options.watch,
                  "Draws again whenever the model, the height map, the sky or a snippet changes, until it is "
                  "interrupted; keeps the last good picture on an error")
-        ->excludes("--permutations");
+        ->excludes("--permutations")
+        ->excludes("--turntable");
     app.add_flag(
            "--list", options.list,
            "Prints what is in the file (cameras, lights, variants, materials, images, nodes), and draws "
            "nothing")
         ->excludes("--permutations")
         ->excludes("--watch");
+    app.add_option_function<std::string>(
+           "--pick", [&options](const std::string& text) { options.pick = toPixel(text); },
+           "Prints what a pixel of the picture shows (node, material, primitive, triangle, point), and draws "
+           "nothing; from the upper left corner, 0,0")
+        ->type_name("X,Y")
+        ->excludes("--permutations")
+        ->excludes("--watch")
+        ->excludes("--list")
+        ->excludes("--turntable");
+}
+
+void checkTogether(const Options& options) {
+    const std::filesystem::path inputs[] = {options.model, options.skybox, options.heightMap,
+                                            options.manifest};
+    for (int number = 0; number < std::max(options.turntable, 1); ++number)
+        if (const Result<void> checked = checkNotInput(outputOf(options, number), inputs); !checked)
+            throw CLI::ValidationError("--output-file", checked.error().what);
+    if (const auto& pick = options.pick)
+        if ((*pick)[0] < 0 || (*pick)[1] < 0 || (*pick)[0] >= options.size.width ||
+            (*pick)[1] >= options.size.height)
+            throw CLI::ValidationError("--pick", "the pixel is not one of the picture");
 }
 
 void addScene(CLI::App& app, Options& options) {
@@ -240,6 +277,17 @@ void addLook(CLI::App& app, Look& look) {
 
 } // namespace
 
+std::filesystem::path outputOf(const Options& options, int number) {
+    if (options.turntable == 0)
+        return options.output;
+    const std::size_t digits = std::to_string(options.turntable).size();
+    std::string text = std::to_string(number + 1);
+    text.insert(0, digits - text.size(), '0');
+    std::filesystem::path path = options.output;
+    path.replace_filename(path.stem().string() + "-" + text + path.extension().string());
+    return path;
+}
+
 std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* argv) {
     Options options;
     CLI::App app(kAbout, "viewer");
@@ -252,10 +300,7 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     addLook(app, options.look);
     try {
         app.parse(argc, argv);
-        const std::filesystem::path inputs[] = {options.model, options.skybox, options.heightMap,
-                                                options.manifest};
-        if (const Result<void> checked = checkNotInput(options.output, inputs); !checked)
-            throw CLI::ValidationError("--output-file", checked.error().what);
+        checkTogether(options);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
     }

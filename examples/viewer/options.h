@@ -7,6 +7,7 @@
 #include "franken/material.h"
 #include "franken/platform/surface.h"
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@ struct Options {
     std::filesystem::path output = "out.png";
     franken::platform::Backend backend = franken::platform::Backend::OsMesa;
     franken::platform::Size size = {512, 512};
+    int turntable = 0; ///< How many pictures all around; 0 for one picture.
     bool supersample = false;
     bool permutations = false;
     bool watch = false;
@@ -31,7 +33,9 @@ struct Options {
     std::filesystem::path heightMap; ///< Empty for none.
     float heightScale = 0.1f;        ///< From black to white, in the model's unit.
 
-    bool list = false;   ///< Says what is in the file, and draws nothing.
+    bool list = false; ///< Says what is in the file, and draws nothing.
+    std::optional<std::array<int, 2>>
+        pick;            ///< The pixel of which to say what it shows; x, y from the top left.
     std::string variant; ///< Empty for none.
     std::string camera;  ///< A name or an index; empty for the first.
     std::vector<franken::Sun> suns;
@@ -44,6 +48,10 @@ struct Options {
     franken::Float3 background{0, 0, 0}; ///< Encoded, 0-1.
     franken::Look look;
 };
+
+/// Where the picture of that number goes, counted from 0, of those all around: the output with the number,
+/// from 1 on, before its extension. The output itself without a turntable.
+std::filesystem::path outputOf(const Options& options, int number);
 
 /// What the command line asks for; or the exit code where there is nothing left to do, because of --help or a
 /// mistake that has been reported.

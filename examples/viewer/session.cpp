@@ -5,6 +5,7 @@
 #include "franken/exposure.h"
 #include "franken/manifest.h"
 #include "franken/png.h"
+#include "franken/ray_through.h"
 #include "franken/snippet_folder.h"
 #include "franken/variants.h"
 #include "list.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <iostream>
+#include <numbers>
 
 using namespace franken;
 
@@ -70,9 +72,8 @@ std::optional<Failure> Session::readSky() {
     return {};
 }
 
-std::optional<Failure> Session::readSubject(Subject& subject) {
-    if (std::optional<Failure> failure = readSky())
-        return failure;
+/// The scene and the camera.
+std::optional<Failure> Session::readModel(Subject& subject) {
     Result<Scene> scene = loadGltf(m_options.model, modelLimits(m_options), m_log);
     if (!scene)
         return Failure{inShellWords(scene.error()), ExitCode::Refused};
@@ -84,13 +85,21 @@ std::optional<Failure> Session::readSubject(Subject& subject) {
         return Failure{nothingToDraw(m_options), ExitCode::Refused};
     if (Result<void> displaced = applyHeights(subject.scene, m_options); !displaced)
         return Failure{displaced.error(), ExitCode::Refused};
-    subject.sky = m_sky;
     const Result<Camera> camera = chooseCamera(subject.scene, m_options);
     if (!camera)
         return Failure{camera.error(), ExitCode::Usage};
     subject.camera = *camera;
+    return {};
+}
+
+std::optional<Failure> Session::readSubject(Subject& subject) {
+    if (std::optional<Failure> failure = readSky())
+        return failure;
+    if (std::optional<Failure> failure = readModel(subject))
+        return failure;
+    subject.sky = m_sky;
     if (subject.sky)
-        if (const std::string notice = skyboxNotice(subject.sky->skybox, *camera, m_options.size);
+        if (const std::string notice = skyboxNotice(subject.sky->skybox, subject.camera, m_options.size);
             !notice.empty())
             m_log(LogLevel::Warning, notice);
     Result<Lighting> lighting = chooseLighting(subject.scene, subject.sky.get(), m_options, m_log);
@@ -105,6 +114,23 @@ std::optional<Failure> Session::printList() {
     if (!scene)
         return Failure{inShellWords(scene.error()), ExitCode::Refused};
     std::cout << listOf(*scene);
+    return {};
+}
+
+std::optional<Failure> Session::printPick() {
+    Subject subject;
+    if (std::optional<Failure> failure = readModel(subject))
+        return failure;
+    const DrawTarget target{.width = m_options.size.width, .height = m_options.size.height};
+    const auto& [x, y] = *m_options.pick;
+    const Viewpoint viewpoint = viewpointOf(subject, aspectOf(target));
+    const Result<std::optional<Hit>> hit =
+        rayThrough(viewpoint, target, x + 0.5, y + 0.5).and_then([&](const Ray& ray) {
+            return pick(subject.scene, ray);
+        });
+    if (!hit)
+        return Failure{hit.error(), ExitCode::Refused};
+    std::cout << listOf(subject.scene, *hit);
     return {};
 }
 
@@ -170,6 +196,9 @@ std::optional<Failure> Session::draw() {
     Subject subject;
     if (std::optional<Failure> failure = readSubject(subject))
         return failure;
+    OrbitCamera orbit(subject.camera, subject.scene.bounds());
+    if (m_options.turntable > 0)
+        subject.camera = orbit.camera();
     const Result<Drawn> drawn = drawVisibly(subject, snippets);
     if (!drawn)
         return Failure{drawn.error(),
@@ -177,10 +206,31 @@ std::optional<Failure> Session::draw() {
     for (const ProgramUse& use : drawn->needed)
         if (std::find(m_needed.begin(), m_needed.end(), use) == m_needed.end())
             m_needed.push_back(use);
-    if (const Result<void> written = writePng(m_options.output, drawn->picture); !written)
+    if (const Result<void> written = writePng(outputOf(m_options, 0), drawn->picture); !written)
         return Failure{written.error(), ExitCode::Device};
+    if (std::optional<Failure> failure = drawTurned(subject, orbit))
+        return failure;
     if (m_options.stats)
         printStats(*drawn);
+    return {};
+}
+
+// The pictures after the first one.
+std::optional<Failure> Session::drawTurned(Subject& subject, OrbitCamera& orbit) {
+    const double step = 2 * std::numbers::pi / std::max(m_options.turntable, 1);
+    for (int number = 1; number < m_options.turntable; ++number) {
+        Orbit next = orbit.goal();
+        next.yaw += step;
+        const Result<bool> turned = orbit.moveTo(next).and_then([&] { return orbit.advance(0); });
+        if (!turned)
+            return Failure{turned.error(), ExitCode::Refused};
+        subject.camera = orbit.camera();
+        const Result<Image> picture = m_studio->drawAgain(subject);
+        if (!picture)
+            return Failure{picture.error(), ExitCode::Device};
+        if (const Result<void> written = writePng(outputOf(m_options, number), *picture); !written)
+            return Failure{written.error(), ExitCode::Device};
+    }
     return {};
 }
 

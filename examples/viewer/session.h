@@ -2,6 +2,7 @@
 #pragma once
 
 #include "file_times.h"
+#include "franken/orbit_camera.h"
 #include "studio.h"
 
 /// An error, and what the shell is told of it.
@@ -22,6 +23,9 @@ public:
     /// Writes what is in the model's file to stdout.
     std::optional<Failure> printList();
 
+    /// Writes what the options' pixel shows to stdout.
+    std::optional<Failure> printPick();
+
     /// Draws what the files hold now, and replaces the picture in one step: where anything fails, the last
     /// good one is still there. The sky is read again where its files have changed.
     std::optional<Failure> draw();
@@ -32,7 +36,9 @@ public:
 private:
     std::optional<Failure> readManifest();
     std::optional<Failure> readSky();
+    std::optional<Failure> readModel(Subject& subject);
     std::optional<Failure> readSubject(Subject& subject);
+    std::optional<Failure> drawTurned(Subject& subject, franken::OrbitCamera& orbit);
     franken::Result<Drawn> drawVisibly(Subject& subject, const std::optional<franken::SnippetSet>& snippets);
     franken::Result<Drawn> drawSubject(const Subject& subject,
                                        const std::optional<franken::SnippetSet>& snippets);

@@ -25,6 +25,10 @@ Result<std::vector<ProgramUse>> usesOf(const Subject& subject, const Look& look,
     return uses;
 }
 
+Viewpoint viewpointOf(const Subject& subject, double aspect) {
+    return franken::viewpointOf(tightened(subject.camera, subject.scene.bounds()), aspect);
+}
+
 Result<std::unique_ptr<Studio>> Studio::open(const Options& options, const Log& log) {
     const int scale = options.supersample ? 2 : 1;
     Result<std::unique_ptr<platform::Surface>> surface = platform::create(
@@ -74,20 +78,18 @@ Result<WarmUpReport> Studio::warmUp(const DrawTarget& target, std::span<const Pr
     });
 }
 
-Result<void> Studio::drawFrame(const Subject& subject, const DrawTarget& target, Drawn& drawn) {
-    const Camera camera = tightened(subject.camera, subject.scene.bounds());
-    const double aspect = static_cast<double>(target.width) / target.height;
-    if (Result<void> result = m_renderer.draw(viewpointOf(camera, aspect), target); !result)
-        return result;
-    drawn.after = m_renderer.programCounters();
-    drawn.frame = m_renderer.frameCounters();
-    drawn.gpuBytes = m_renderer.memory().used();
-    const std::vector<ProgramUse> misses = m_renderer.takeMisses();
-    drawn.needed.insert(drawn.needed.end(), misses.begin(), misses.end());
-    drawn.picture = readTopDown(m_gl, *m_surface);
-    if (m_options.supersample)
-        drawn.picture = halved(drawn.picture);
-    return {};
+DrawTarget Studio::target() const {
+    return {.framebuffer = m_surface->framebuffer(),
+            .width = m_surface->size().width,
+            .height = m_surface->size().height,
+            .background = m_options.background};
+}
+
+Result<Image> Studio::drawAgain(const Subject& subject) {
+    if (Result<void> drawn = m_renderer.draw(viewpointOf(subject, aspectOf(target())), target()); !drawn)
+        return drawn.error();
+    Image picture = readTopDown(m_gl, *m_surface);
+    return m_options.supersample ? halved(picture) : picture;
 }
 
 Result<Drawn> Studio::draw(const Subject& subject, std::span<const ProgramUse> listed,
@@ -106,16 +108,19 @@ Result<Drawn> Studio::draw(const Subject& subject, std::span<const ProgramUse> l
     if (Result<void> shown = show(subject); !shown)
         return shown.error();
     m_renderer.setLook(look);
-    const DrawTarget target{.framebuffer = m_surface->framebuffer(),
-                            .width = m_surface->size().width,
-                            .height = m_surface->size().height,
-                            .background = m_options.background};
-    const Result<WarmUpReport> warm = warmUp(target, drawn.needed, listed);
+    const Result<WarmUpReport> warm = warmUp(target(), drawn.needed, listed);
     if (!warm)
         return warm.error();
     drawn.warmUp = *warm;
     drawn.warm = m_renderer.programCounters();
-    if (Result<void> frame = drawFrame(subject, target, drawn); !frame)
-        return frame.error();
+    Result<Image> picture = drawAgain(subject);
+    if (!picture)
+        return picture.error();
+    drawn.picture = *std::move(picture);
+    drawn.after = m_renderer.programCounters();
+    drawn.frame = m_renderer.frameCounters();
+    drawn.gpuBytes = m_renderer.memory().used();
+    const std::vector<ProgramUse> misses = m_renderer.takeMisses();
+    drawn.needed.insert(drawn.needed.end(), misses.begin(), misses.end());
     return drawn;
 }

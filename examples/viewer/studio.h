@@ -22,6 +22,9 @@ struct Subject {
 franken::Result<std::vector<franken::ProgramUse>> usesOf(const Subject& subject, const franken::Look& look,
                                                          const franken::Log& log);
 
+/// Its camera, with clipping planes that suit the scene.
+franken::Viewpoint viewpointOf(const Subject& subject, double aspect);
+
 /// A picture, and what it took.
 struct Drawn {
     franken::Image picture;                  ///< Row 0 at the top.
@@ -44,6 +47,9 @@ public:
     franken::Result<Drawn> draw(const Subject& subject, std::span<const franken::ProgramUse> listed,
                                 const std::optional<franken::SnippetSet>& snippets);
 
+    /// The picture of what was drawn last, from another camera.
+    franken::Result<franken::Image> drawAgain(const Subject& subject);
+
 private:
     Studio(const Options& options, std::unique_ptr<franken::platform::Surface> surface, const franken::Gl& gl,
            const franken::Log& log)
@@ -55,7 +61,7 @@ private:
     franken::Result<franken::WarmUpReport> warmUp(const franken::DrawTarget& target,
                                                   std::span<const franken::ProgramUse> needed,
                                                   std::span<const franken::ProgramUse> listed);
-    franken::Result<void> drawFrame(const Subject& subject, const franken::DrawTarget& target, Drawn& drawn);
+    franken::DrawTarget target() const;
 
     const Options& m_options;
     std::unique_ptr<franken::platform::Surface> m_surface;

@@ -280,5 +280,37 @@ TEST_F(Viewer, DrawsUnderASkyByOthers) {
     EXPECT_NE(programs.find("+sh+reflection"), std::string::npos) << programs;
 }
 
+TEST_F(Viewer, SaysWhatAPixelShows) {
+    const std::string model = std::string(kUrn) + " --size 80x60 ";
+    const Outcome middle = run(model + "--pick 40,30");
+    EXPECT_EQ(middle.code, 0) << middle.err;
+    for (const char* part : {"node 1: urn\nmaterial 1: porcelain\n", "primitive 0, triangle ", "\npoint "})
+        EXPECT_NE(middle.out.find(part), std::string::npos) << middle.out;
+    EXPECT_EQ(run(model + "--pick 0,0").out, "nothing\n");
+    EXPECT_FALSE(fs::exists(m_folder / "out.png"));
+    for (const char* pixel : {"80,0", "0,-1", "7", "a,b"})
+        EXPECT_EQ(run(model + "--pick " + pixel).code, 2) << pixel;
+    EXPECT_EQ(run(model + "--pick 1,1 --turntable 3").code, 2);
+}
+
+TEST_F(Viewer, DrawsFromAllAround) {
+    const std::string model = std::string(kUrn) + " --size 40x30 ";
+    ASSERT_EQ(run(model + "-o plain.png").code, 0);
+    const Outcome outcome = run(model + "--turntable 10 -o round.png");
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_FALSE(fs::exists(m_folder / "round.png"));
+    const Picture first = readPicture(m_folder / "round-01.png");
+    EXPECT_EQ(compareLit(first, readPicture(m_folder / "plain.png")).max(), 0);
+    for (const char* number : {"02", "06", "10"}) {
+        const Difference difference =
+            compareLit(readPicture(m_folder / ("round-" + std::string(number) + ".png")), first);
+        EXPECT_GT(difference.max(), 8) << number;
+    }
+    EXPECT_FALSE(fs::exists(m_folder / "round-11.png"));
+    EXPECT_EQ(run(model + "--turntable 0").code, 2);
+    fs::copy_file(kUrn, m_folder / "round-2.png"); // An input is not replaced, whatever it is called.
+    EXPECT_EQ(run("round-2.png --turntable 3 -o round.png").code, 2);
+}
+
 } // namespace
 } // namespace franken::test
