@@ -2,8 +2,10 @@
 // The C++ of README.md and generator/README.md, compiled and run as it is printed. What a block takes for
 // granted is declared above it.
 #include "franken/baked_sky.h"
+#include "franken/complete.h"
 #include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
 #include "franken/manifest.h"
+#include "franken/ray_through.h"
 #include "support/draw_scene.h"
 #include "support/shapes.h"
 #include "support/shell.h"
@@ -87,6 +89,8 @@ TEST_P(Readme, ThingsChange) {
     const Camera camera = framingCamera(scene.bounds(), 1);
     DrawTarget target = this->target();
 #include "blocks/things-that-change.inc"
+    EXPECT_TRUE(hit && *hit) << "the square is in the middle";
+    EXPECT_EQ(table->materials.size(), 1u);
     EXPECT_EQ(renderer.frameCounters().drawn, 2u);
     const ReadBack picture = readBack();
     EXPECT_GT(picture.pixel(8, 16)[0], 40) << "one lux on a rough metal";

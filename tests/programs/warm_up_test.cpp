@@ -121,7 +121,7 @@ TEST_P(WarmUpTest, OverTheBudgetASimplerProgramStandsIn) {
     EXPECT_TRUE(small.fallbacks().empty()) << "nothing failed";
 
     small.setCompileBudget(1);
-    ASSERT_TRUE(streaming.draw(small, 1, targets));
+    ASSERT_TRUE(streaming.draw(small, 0, targets));
     EXPECT_EQ(small.programCounters().links, 2u);
     EXPECT_EQ(compareLit(readBack(), wanted).max(), 0) << "its turn came";
 }

@@ -3,6 +3,9 @@
 
 #include "support/shapes.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
 #include <array>
 
 namespace franken::test {
@@ -95,9 +98,28 @@ Result<void> KioskFrames::load(Renderer& renderer) {
         const Result<ModelId> model = renderer.add(scene);
         if (!model)
             return model.error();
+        const Result<PlaceId> place = renderer.addPlace(*model);
+        if (!place)
+            return place.error();
         m_models.push_back(*model);
+        m_places.push_back(*place);
     }
     return {};
+}
+
+// A second place that moves, is mirrored, comes and goes, and a material's factors.
+Result<void> KioskFrames::change(Renderer& renderer, int frame, std::size_t model) {
+    const glm::dvec3 mirror(frame % 10 < 5 ? 1 : -1, 1, 1);
+    const glm::dmat4 world = glm::rotate(glm::scale(glm::dmat4(1), mirror), 0.1 * frame, glm::dvec3(0, 1, 0));
+    if (Result<void> moved = renderer.setWorld(m_places[model], world); !moved)
+        return moved;
+    if (Result<void> hidden = renderer.setVisible(m_places[model], frame % 3 != 0); !hidden)
+        return hidden;
+    Result<Material> material = renderer.materialOf(m_models[model], 0);
+    if (!material)
+        return material.error();
+    material->roughness = 0.2f + 0.01f * static_cast<float>(frame % 70);
+    return renderer.setMaterial(m_models[model], 0, *material);
 }
 
 Result<void> KioskFrames::draw(Renderer& renderer, int frame, const std::vector<DrawTarget>& targets) {
@@ -112,9 +134,13 @@ Result<void> KioskFrames::draw(Renderer& renderer, int frame, const std::vector<
         if (Result<void> changed = renderer.setSkybox(turn(11, 2) == 0 ? nullptr : &m_sky); !changed)
             return changed;
     renderer.setLook(kLooks[turn(50, kLooks.size())]);
-    renderer.setLighting(m_lightings[turn(3, m_lightings.size())]);
+    Lighting lighting = m_lightings[turn(3, m_lightings.size())];
+    lighting.skyRotation = glm::angleAxis(0.01 * frame, glm::dvec3(0, 1, 0));
+    renderer.setLighting(lighting);
     const DrawTarget& target = targets[turn(25, targets.size())];
     const Camera camera = framingCamera(m_scenes[model].bounds(), 1);
+    if (Result<void> changed = change(renderer, frame, model); !changed)
+        return changed;
     return renderer.draw(viewpointOf(camera, static_cast<double>(target.width) / target.height), target);
 }
 

@@ -7,8 +7,8 @@
 
 namespace franken::test {
 
-/// The life of a kiosk in short: models change, lights go on and off, the skybox comes and goes, the
-/// surface is resized. All that a run will need is known before: uses().
+/// The life of a kiosk in short: models change, move and are coloured anew, lights go on and off, the skybox
+/// comes and goes, the surface is resized. All that a run will need is known before: uses().
 class KioskFrames {
 public:
     KioskFrames();
@@ -24,9 +24,12 @@ public:
     Result<void> draw(Renderer& renderer, int frame, const std::vector<DrawTarget>& targets);
 
 private:
+    Result<void> change(Renderer& renderer, int frame, std::size_t model);
+
     std::vector<Scene> m_scenes;
     std::vector<Lighting> m_lightings;
     std::vector<ModelId> m_models;
+    std::vector<PlaceId> m_places; ///< A second one of each model.
     SkyboxMap m_sky;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/shapes.h"
 
+#include "franken/complete.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/matrix.hpp>
@@ -50,16 +52,7 @@ Primitive sphere(int rings) {
     return primitive;
 }
 
-Primitive square() {
-    Primitive primitive;
-    primitive.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-    primitive.normals.assign(4, {0, 0, 1});
-    primitive.tangents.assign(4, {1, 0, 0, 1});
-    primitive.uv[0] = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
-    primitive.indices = {0, 1, 2, 0, 2, 3};
-    addBounds(primitive);
-    return primitive;
-}
+Primitive square() { return plane({2, 2}); }
 
 Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color) {
     Image image{"painted", size, size, {}};

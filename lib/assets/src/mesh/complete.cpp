@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "franken/complete.h"
+
+#include "franken/scene_check.h"
+#include "franken/tangents.h"
+
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace franken {
+namespace {
+
+template<typename Function>
+void eachPrimitive(Scene& scene, Function function) {
+    for (Mesh& mesh : scene.meshes)
+        for (Primitive& primitive : mesh.primitives)
+            function(primitive);
+}
+
+void giveMaterials(Scene& scene) {
+    const bool none = scene.materials.empty();
+    int added = kNone;
+    eachPrimitive(scene, [&](Primitive& primitive) {
+        if (primitive.material != kNone && !(none && primitive.material == 0))
+            return;
+        if (added == kNone) {
+            added = static_cast<int>(scene.materials.size());
+            scene.materials.emplace_back();
+        }
+        primitive.material = added;
+    });
+}
+
+void giveIndices(Scene& scene) {
+    eachPrimitive(scene, [](Primitive& primitive) {
+        if (!primitive.indices.empty())
+            return;
+        primitive.indices.resize(primitive.positions.size());
+        std::iota(primitive.indices.begin(), primitive.indices.end(), 0u);
+    });
+}
+
+/// Stands in until the rest is known to be sound; which ones had none.
+std::vector<const Primitive*> giveAnyNormals(Scene& scene) {
+    std::vector<const Primitive*> given;
+    eachPrimitive(scene, [&](Primitive& primitive) {
+        if (!primitive.normals.empty())
+            return;
+        primitive.normals.assign(primitive.positions.size(), {0, 0, 1});
+        given.push_back(&primitive);
+    });
+    return given;
+}
+
+// In double, where no square of a float under- or overflows.
+void makeUnit(std::vector<glm::vec3>& normals) {
+    for (glm::vec3& normal : normals)
+        normal = glm::vec3(glm::normalize(glm::dvec3(normal)));
+}
+
+void turnToNormals(Primitive& primitive) {
+    for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
+        std::uint32_t* const corner = primitive.indices.data() + i;
+        const auto position = [&](int n) { return glm::dvec3(primitive.positions[corner[n]]); };
+        const glm::dvec3 front = glm::cross(position(1) - position(0), position(2) - position(0));
+        const auto isBehind = [&](std::uint32_t vertex) {
+            return glm::dot(front, glm::dvec3(primitive.normals[vertex])) < 0;
+        };
+        if (std::all_of(corner, corner + 3, isBehind))
+            std::swap(corner[1], corner[2]);
+    }
+}
+
+void giveTangents(Primitive& primitive, const Material& material) {
+    if (!material.normalTexture || !primitive.tangents.empty())
+        return;
+    if (const std::vector<glm::vec2> uv = sampledUv(primitive, material.normalTexture); !uv.empty())
+        computeTangents(primitive, uv);
+}
+
+} // namespace
+
+Result<Scene> complete(Scene scene) {
+    giveMaterials(scene);
+    giveIndices(scene);
+    const std::vector<const Primitive*> withoutNormals = giveAnyNormals(scene);
+    if (Result<void> checked = check(scene); !checked)
+        return checked.error();
+    eachPrimitive(scene, [&](Primitive& primitive) {
+        const bool flat =
+            std::find(withoutNormals.begin(), withoutNormals.end(), &primitive) != withoutNormals.end();
+        if (flat)
+            computeFlatNormals(primitive);
+        else
+            makeUnit(primitive.normals);
+        turnToNormals(primitive);
+        giveTangents(primitive, scene.materials[static_cast<std::size_t>(primitive.material)]);
+        primitive.bounds = {};
+        for (const glm::vec3& position : primitive.positions)
+            primitive.bounds.add(position);
+    });
+    for (Instance& instance : scene.instances)
+        instance.mirrored = glm::determinant(glm::dmat3(instance.world)) < 0;
+    return scene;
+}
+
+} // namespace franken
