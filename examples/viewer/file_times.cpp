@@ -52,6 +52,8 @@ FileTimes inputTimes(const Options& options) {
               {".gltf", ".glb", ".bin", ".png", ".jpg", ".jpeg"}, options);
     if (!options.heightMap.empty())
         addFile(times, options.heightMap);
+    if (!options.effect.empty())
+        addFile(times, options.effect);
     if (!options.snippets.empty())
         addFolder(times, options.snippets, 2, {".glsl"}, options);
     return times;

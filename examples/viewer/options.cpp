@@ -44,6 +44,14 @@ Float3 toFloat3(const std::string& option, const std::string& text) {
     return {toNumber(option, parts[0]), toNumber(option, parts[1]), toNumber(option, parts[2])};
 }
 
+Float4 toFloat4(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = CLI::detail::split(text, ',');
+    if (parts.size() != 4)
+        throw CLI::ValidationError(option, "'" + text + "' is not four numbers with commas between");
+    return {toNumber(option, parts[0]), toNumber(option, parts[1]), toNumber(option, parts[2]),
+            toNumber(option, parts[3])};
+}
+
 Float3 toColor(const std::string& option, const std::string& text) {
     const Float3 color = toFloat3(option, text);
     if (color[0] < 0 || color[1] < 0 || color[2] < 0)
@@ -154,6 +162,21 @@ void addPrograms(CLI::App& app, Options& options) {
                    "Composes from the files of this folder, a source tree's generator/glsl, instead of those "
                    "that are built in")
         ->type_name("FOLDER");
+    auto* const effect =
+        app.add_option(
+               "--effect", options.effect,
+               "Puts an effect into the programs of all surfaces: a file such as examples/effects/fog.glsl")
+            ->type_name("FILE");
+    app.add_option_function<std::vector<std::string>>(
+           "--effect-value",
+           [&options](const std::vector<std::string>& texts) {
+               for (const std::string& text : texts)
+                   options.effectValues.push_back(toFloat4("--effect-value", text));
+           },
+           "The next of the effect's vec4, in the order of its file; may be repeated [0,0,0,0]")
+        ->type_name("X,Y,Z,W")
+        ->allow_extra_args(false)
+        ->needs(effect);
 }
 
 void addLoading(CLI::App& app, Options& options) {
@@ -164,7 +187,8 @@ void addLoading(CLI::App& app, Options& options) {
         ->type_name("MIB")
         ->check(CLI::Range(1u, kMaxMebibytes).description(""));
     app.add_flag("--watch", options.watch,
-                 "Draws again whenever the model, the height map, the sky or a snippet changes, until it is "
+                 "Draws again whenever the model, the height map, the sky, a snippet or the effect changes, "
+                 "until it is "
                  "interrupted; keeps the last good picture on an error")
         ->excludes("--permutations")
         ->excludes("--turntable");

@@ -25,6 +25,8 @@ struct Options {
     bool watch = false;
     bool stats = false;
     std::filesystem::path snippets; ///< A folder; empty for those that are built in.
+    std::filesystem::path effect;   ///< A file of GLSL; empty for none.
+    std::vector<franken::Float4> effectValues;
     std::filesystem::path manifest; ///< Empty for none.
 
     /// That loading may take: the model, and the sky.

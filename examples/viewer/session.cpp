@@ -42,11 +42,33 @@ Error nothingToDraw(const Options& options) {
 
 } // namespace
 
+std::optional<Failure> Session::readSnippets() {
+    std::optional<SnippetSet> snippets;
+    if (!m_options.snippets.empty()) {
+        const Result<SnippetSet> read = franken::readSnippets(m_options.snippets);
+        if (!read)
+            return Failure{read.error(), ExitCode::Refused};
+        snippets = *read;
+    }
+    if (!m_options.effect.empty()) {
+        const Result<Effect> effect = readEffect(m_options.effect);
+        if (!effect)
+            return Failure{effect.error(), ExitCode::Refused};
+        const Result<SnippetSet> with = snippets.value_or(SnippetSet::builtIn()).with(*effect);
+        if (!with)
+            return Failure{with.error(), ExitCode::Refused};
+        snippets = *with;
+    }
+    m_snippets = std::move(snippets);
+    return {};
+}
+
 // What someone wrote by hand, or is no manifest at all, is not ours to replace at the end.
 std::optional<Failure> Session::readManifest() {
     if (m_listed || m_options.manifest.empty())
         return {};
-    Result<std::vector<ProgramUse>> listed = franken::readManifest(m_options.manifest);
+    Result<std::vector<ProgramUse>> listed =
+        franken::readManifest(m_options.manifest, m_snippets.value_or(SnippetSet::builtIn()), m_log);
     if (!listed && (listed.error().code == "manifest.line" || listed.error().code == "manifest.size"))
         return Failure{listed.error(), ExitCode::Refused};
     if (!listed)
@@ -135,29 +157,33 @@ std::optional<Failure> Session::printPick() {
 }
 
 std::optional<Failure> Session::printPermutations() {
+    if (std::optional<Failure> failure = readSnippets())
+        return failure;
     Subject subject;
     if (std::optional<Failure> failure = readSubject(subject))
         return failure;
-    const Result<std::vector<ProgramUse>> needed = usesOf(subject, m_options.look, m_log);
+    Look look = m_options.look;
+    look.effect = effectOf(m_snippets);
+    const Result<std::vector<ProgramUse>> needed = usesOf(subject, look, m_log);
     if (!needed)
         return Failure{needed.error(), ExitCode::Refused};
-    std::cout << toManifest(*needed);
+    std::cout << toManifest(*needed, m_snippets.value_or(SnippetSet::builtIn()));
     return {};
 }
 
-Result<Drawn> Session::drawSubject(const Subject& subject, const std::optional<SnippetSet>& snippets) {
+Result<Drawn> Session::drawSubject(const Subject& subject) {
     if (!m_studio) {
         Result<std::unique_ptr<Studio>> studio = Studio::open(m_options, m_log);
         if (!studio)
             return studio.error();
         m_studio = *std::move(studio);
     }
-    return m_studio->draw(subject, m_listed.value_or(std::vector<ProgramUse>()), snippets);
+    return m_studio->draw(subject, m_listed.value_or(std::vector<ProgramUse>()), m_snippets);
 }
 
 // A picture from which nothing can be seen is drawn all the same, or better where that is known, and says so.
-Result<Drawn> Session::drawVisibly(Subject& subject, const std::optional<SnippetSet>& snippets) {
-    Result<Drawn> drawn = drawSubject(subject, snippets);
+Result<Drawn> Session::drawVisibly(Subject& subject) {
+    Result<Drawn> drawn = drawSubject(subject);
     if (!drawn || subject.sky)
         return drawn;
     const Coverage coverage = coverageOf(drawn->picture, m_options.background);
@@ -171,7 +197,7 @@ Result<Drawn> Session::drawVisibly(Subject& subject, const std::optional<Snippet
     if (m_options.exposure || m_options.autoExposure || 2 * coverage.white <= coverage.shown || exposure >= 1)
         return drawn;
     subject.lighting.exposure = exposure;
-    Result<Drawn> exposed = drawSubject(subject, snippets);
+    Result<Drawn> exposed = drawSubject(subject);
     if (!exposed || coverageOf(exposed->picture, m_options.background).white >= coverage.white)
         return drawn;
     m_log(LogLevel::Warning,
@@ -184,13 +210,8 @@ Result<Drawn> Session::drawVisibly(Subject& subject, const std::optional<Snippet
 }
 
 std::optional<Failure> Session::draw() {
-    std::optional<SnippetSet> snippets;
-    if (!m_options.snippets.empty()) {
-        const Result<SnippetSet> read = readSnippets(m_options.snippets);
-        if (!read)
-            return Failure{read.error(), ExitCode::Refused};
-        snippets = *read;
-    }
+    if (std::optional<Failure> failure = readSnippets())
+        return failure;
     if (std::optional<Failure> failure = readManifest())
         return failure;
     Subject subject;
@@ -199,7 +220,7 @@ std::optional<Failure> Session::draw() {
     OrbitCamera orbit(subject.camera, subject.scene.bounds());
     if (m_options.turntable > 0)
         subject.camera = orbit.camera();
-    const Result<Drawn> drawn = drawVisibly(subject, snippets);
+    const Result<Drawn> drawn = drawVisibly(subject);
     if (!drawn)
         return Failure{drawn.error(),
                        drawn.error().code == "surface.options" ? ExitCode::Usage : ExitCode::Device};
@@ -237,7 +258,9 @@ std::optional<Failure> Session::drawTurned(Subject& subject, OrbitCamera& orbit)
 std::optional<Failure> Session::keepManifest() {
     if (m_options.manifest.empty())
         return {};
-    if (const Result<void> kept = appendToManifest(m_options.manifest, m_needed); !kept)
+    if (const Result<void> kept =
+            appendToManifest(m_options.manifest, m_needed, m_snippets.value_or(SnippetSet::builtIn()));
+        !kept)
         return Failure{kept.error(), ExitCode::Device};
     return {};
 }

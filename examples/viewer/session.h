@@ -34,19 +34,20 @@ public:
     std::optional<Failure> keepManifest();
 
 private:
+    std::optional<Failure> readSnippets();
     std::optional<Failure> readManifest();
     std::optional<Failure> readSky();
     std::optional<Failure> readModel(Subject& subject);
     std::optional<Failure> readSubject(Subject& subject);
     std::optional<Failure> drawTurned(Subject& subject, franken::OrbitCamera& orbit);
-    franken::Result<Drawn> drawVisibly(Subject& subject, const std::optional<franken::SnippetSet>& snippets);
-    franken::Result<Drawn> drawSubject(const Subject& subject,
-                                       const std::optional<franken::SnippetSet>& snippets);
+    franken::Result<Drawn> drawVisibly(Subject& subject);
+    franken::Result<Drawn> drawSubject(const Subject& subject);
 
     const Options& m_options;
     franken::Log m_log;
-    std::shared_ptr<const franken::BakedSky> m_sky;           ///< The last good one.
-    FileTimes m_skyTimes;                                     ///< When it was read.
+    std::optional<franken::SnippetSet> m_snippets;  ///< Other ones than the built-in, or with an effect.
+    std::shared_ptr<const franken::BakedSky> m_sky; ///< The last good one.
+    FileTimes m_skyTimes;                           ///< When it was read.
     std::optional<std::vector<franken::ProgramUse>> m_listed; ///< In the manifest, once it was read.
     std::vector<franken::ProgramUse> m_needed;                ///< By all pictures, each once.
     std::unique_ptr<Studio> m_studio;                         ///< From the first picture on.

@@ -41,6 +41,10 @@ Result<std::unique_ptr<Studio>> Studio::open(const Options& options, const Log& 
     return std::unique_ptr<Studio>(new Studio(options, *std::move(surface), *gl, log));
 }
 
+EffectChoice effectOf(const std::optional<SnippetSet>& snippets) {
+    return snippets && !snippets->effects().empty() ? snippets->effects().front().choice(1) : EffectChoice();
+}
+
 Result<void> Studio::useSnippets(const SnippetSet& snippets, std::span<const ProgramUse> needed) {
     ProgramCache trial(m_gl);
     trial.setSnippets(snippets);
@@ -96,6 +100,7 @@ Result<Drawn> Studio::draw(const Subject& subject, std::span<const ProgramUse> l
                            const std::optional<SnippetSet>& snippets) {
     Look look = m_options.look;
     look.srgbTarget = m_surface->srgbTarget();
+    look.effect = effectOf(snippets);
     Result<std::vector<ProgramUse>> needed = usesOf(subject, look, {});
     if (!needed)
         return needed.error();
@@ -108,6 +113,8 @@ Result<Drawn> Studio::draw(const Subject& subject, std::span<const ProgramUse> l
     if (Result<void> shown = show(subject); !shown)
         return shown.error();
     m_renderer.setLook(look);
+    if (Result<void> set = m_renderer.setEffectValues(m_options.effectValues); !set)
+        return set.error();
     const Result<WarmUpReport> warm = warmUp(target(), drawn.needed, listed);
     if (!warm)
         return warm.error();

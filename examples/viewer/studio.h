@@ -35,6 +35,9 @@ struct Drawn {
     std::size_t gpuBytes = 0; ///< Of textures and meshes.
 };
 
+/// The effect of a set that has one at most.
+franken::EffectChoice effectOf(const std::optional<franken::SnippetSet>& snippets);
+
 /// A context and a renderer that stay from picture to picture, and with them all programs.
 class Studio {
 public:

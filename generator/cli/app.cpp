@@ -218,6 +218,10 @@ App::App() : app(kAbout, "frankenshader") {
     addDiff(app, diff);
     addCheck(app, check);
     addCost(app, cost);
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        addWords(*command, "--effects", effects, "PATH",
+                 "An effect of an application's, or a folder of them (*.glsl); named by their files, as in "
+                 "sun1+fog; may be repeated");
     addMeta(app, helpTopic, shell);
 }
 

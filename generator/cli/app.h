@@ -21,8 +21,9 @@ struct App {
     DiffOptions diff;
     CheckOptions check;
     CostOptions cost;
-    std::string helpTopic; ///< Of `help`; empty for all.
-    std::string shell;     ///< Of `completions`.
+    std::vector<std::string> effects; ///< Files and folders, for any of them.
+    std::string helpTopic;            ///< Of `help`; empty for all.
+    std::string shell;                ///< Of `completions`.
 };
 
 /// The shells that `completions` knows.

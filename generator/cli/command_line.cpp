@@ -2,6 +2,7 @@
 #include "app.h"
 #include "franken/nearest.h"
 #include "json.h"
+#include "program.h"
 
 #include <algorithm>
 
@@ -134,6 +135,8 @@ Command parseCommandLine(int argc, const char* const* argv, Console& console) {
         console.answerInJson();
     try {
         parsed.app.parse(argc, argv);
+        if (const Result<void> added = addEffects(parsed.effects); !added)
+            return console.error(added.error()), ExitCode::Refused;
         return commandFrom(parsed);
     } catch (const CLI::ExtrasError& error) {
         const std::vector<std::string> words = leftOver(parsed.app);

@@ -2,6 +2,7 @@
 #include "columns.h"
 #include "commands.h"
 #include "json.h"
+#include "program.h"
 #include "selection.h"
 
 #include <cmath>
@@ -42,7 +43,7 @@ std::string breakEvenText(double pixels) {
 
 void writePriced(Console& console, const Gpu& gpu, const Priced& priced) {
     console.write(console.paint(Style::Bold, std::string(gpu.name)) + " (" + std::string(gpu.meaning) + ")" +
-                  ", measured as " + toName(priced.measured) + "\n");
+                  ", measured as " + toName(priced.measured, snippets()) + "\n");
     if (!priced.cost.measured()) {
         console.write("  " + console.paint(Style::Red, priced.cost.error) + "\n");
         return;
@@ -80,7 +81,7 @@ Result<std::vector<Bill>> billsFor(const CostOptions& options, const std::vector
         return compiler.error();
     std::vector<Bill> bills;
     for (const Gpu& gpu : *wanted) {
-        auto priced = price(*compiler, gpu, permutations);
+        auto priced = price(*compiler, gpu, permutations, snippets());
         if (!priced)
             return priced.error();
         bills.push_back({gpu, *std::move(priced)});
@@ -100,8 +101,8 @@ ExitCode run(const CostOptions& options, Console& console) {
     bool failed = false;
     for (std::size_t i = 0; i < permutations->size(); ++i) {
         if (!options.json)
-            console.write((i > 0 ? "\n" : "") + console.paint(Style::Bold, toName((*permutations)[i])) +
-                          "\n");
+            console.write((i > 0 ? "\n" : "") +
+                          console.paint(Style::Bold, toName((*permutations)[i], snippets())) + "\n");
         for (const Bill& bill : *bills) {
             failed = failed || !bill.priced[i].cost.measured();
             if (!options.json)

@@ -11,6 +11,8 @@ namespace franken::cli {
 namespace {
 
 std::string shortOrigin(const LineOrigin& origin) {
+    if (origin.effect)
+        return toString(origin);
     return origin.snippet.empty() ? "" : std::string(origin.snippet) + ".glsl:" + std::to_string(origin.line);
 }
 

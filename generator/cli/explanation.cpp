@@ -24,7 +24,7 @@ ProfileBudget budgetFor(const Program& program, const Profile& profile) {
     ProfileBudget result{profile, budget(program.composed.interface, profile), {}};
     for (const Use& use : result.budget.uses)
         if (use.exceeded())
-            result.excesses.push_back({use, costlyFeatures(program.permutation, use.resource)});
+            result.excesses.push_back({use, costlyFeatures(program.permutation, use.resource, snippets())});
     return result;
 }
 
@@ -39,7 +39,7 @@ std::string adviceFor(const Excess& excess) {
 Explanation::Explanation(Program explained, std::vector<Dropped> noOps)
     : program(std::move(explained)),
       dropped(std::move(noOps)),
-      reasons(franken::explain(program.permutation)),
+      reasons(franken::explain(program.permutation, snippets())),
       vertex(explainStage(program.composed.vertex, reasons)),
       fragment(explainStage(program.composed.fragment, reasons)) {
     for (const Profile& profile : profiles())

@@ -3,6 +3,7 @@
 
 #include "franken/generator/choices.h"
 #include "franken/generator/pack.h"
+#include "program.h"
 
 #include <nlohmann/json.hpp>
 
@@ -21,7 +22,7 @@ std::string print(const Json& json) {
 }
 
 Json identity(const Permutation& permutation) {
-    return {{"name", toName(permutation)}, {"key", toHex(toKey(permutation))}};
+    return {{"name", toName(permutation, snippets())}, {"key", toHex(toKey(permutation))}};
 }
 
 Json stagesOf(const Uniform& uniform) {
@@ -111,7 +112,9 @@ Json modelsOf(const Gpu& gpu, int instructions) {
 }
 
 Json toJson(const Gpu& gpu, const Priced& priced) {
-    Json json = {{"name", toName(priced.asked)}, {"gpu", gpu.name}, {"measured", toName(priced.measured)}};
+    Json json = {{"name", toName(priced.asked, snippets())},
+                 {"gpu", gpu.name},
+                 {"measured", toName(priced.measured, snippets())}};
     if (!priced.cost.measured()) {
         json["error"] = priced.cost.error;
         return json;

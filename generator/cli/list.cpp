@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "franken/generator/choices.h"
 #include "json.h"
+#include "program.h"
 #include "selection.h"
 
 namespace franken::cli {
@@ -32,7 +33,7 @@ ExitCode run(const ListOptions& options, Console& console) {
         if (options.json && !options.count)
             listed.push_back(permutation);
         else if (!options.count)
-            console.write(toName(permutation) + "\n");
+            console.write(toName(permutation, snippets()) + "\n");
     });
     if (!selected)
         return ExitCode::Refused;

@@ -24,8 +24,8 @@ public:
             m_permutations.push_back(permutation);
     }
 
-    Result<void> measure(const QpuCompiler& compiler, const Gpu& gpu) {
-        return compiler.measure(gpu, m_permutations).transform([this](std::vector<Cost> costs) {
+    Result<void> measure(const QpuCompiler& compiler, const Gpu& gpu, const SnippetSet& snippets) {
+        return compiler.measure(gpu, m_permutations, snippets).transform([this](std::vector<Cost> costs) {
             m_costs = std::move(costs);
         });
     }
@@ -51,7 +51,7 @@ std::optional<double> breakEven(const Permutation& measured, const Measured& cos
 } // namespace
 
 Result<std::vector<Priced>> price(const QpuCompiler& compiler, const Gpu& gpu,
-                                  std::span<const Permutation> asked) {
+                                  std::span<const Permutation> asked, const SnippetSet& snippets) {
     Measured costs;
     for (const Permutation& permutation : asked) {
         const Permutation measured = forGpu(permutation, gpu);
@@ -59,7 +59,7 @@ Result<std::vector<Priced>> price(const QpuCompiler& compiler, const Gpu& gpu,
         if (const auto other = otherWay(measured))
             costs.add(*other);
     }
-    if (auto done = costs.measure(compiler, gpu); !done)
+    if (auto done = costs.measure(compiler, gpu, snippets); !done)
         return done.error();
     std::vector<Priced> priced;
     for (const Permutation& permutation : asked) {

@@ -19,6 +19,7 @@ struct Priced {
 
 /// What canonical permutations cost on that GPU, in their order. Fails as QpuCompiler::measure does.
 Result<std::vector<Priced>> price(const QpuCompiler& compiler, const Gpu& gpu,
-                                  std::span<const Permutation> asked);
+                                  std::span<const Permutation> asked,
+                                  const SnippetSet& snippets = SnippetSet::builtIn());
 
 } // namespace franken::cli

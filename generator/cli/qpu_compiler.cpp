@@ -36,10 +36,11 @@ bool writePairs(const fs::path& folder, std::span<const Permutation> permutation
     return static_cast<bool>(list);
 }
 
-bool writeTexts(const fs::path& folder, std::span<const Permutation> permutations) {
+bool writeTexts(const fs::path& folder, std::span<const Permutation> permutations,
+                const SnippetSet& snippets) {
     bool written = true;
     for (std::size_t i = 0; i < permutations.size(); ++i) {
-        const Composed program = compose(permutations[i]);
+        const Composed program = compose(permutations[i], snippets);
         const std::string file = (folder / std::to_string(i)).string();
         std::ofstream vertex(file + ".vert", std::ios::binary), fragment(file + ".frag", std::ios::binary);
         vertex << program.vertex.text;
@@ -130,9 +131,10 @@ Result<QpuCompiler> QpuCompiler::open() {
     return QpuCompiler(program);
 }
 
-Result<std::vector<Cost>> QpuCompiler::measure(const Gpu& gpu, std::span<const Permutation> canonical) const {
+Result<std::vector<Cost>> QpuCompiler::measure(const Gpu& gpu, std::span<const Permutation> canonical,
+                                               const SnippetSet& snippets) const {
     const Result<TemporaryFolder> folder = TemporaryFolder::make();
-    if (!folder || !writeTexts(folder->path(), canonical))
+    if (!folder || !writeTexts(folder->path(), canonical, snippets))
         return cannotRun(folder ? folder->path().string() : "", "no temporary file can be written");
     std::vector<Cost> costs;
     while (costs.size() < canonical.size())

@@ -53,7 +53,8 @@ public:
     /// One cost for each, in their order; programs are taken as they are. Takes 0.02 to 0.05 s each. Fails
     /// with "cost.run" where the compilers cannot be run at all; a program that they do not survive is an
     /// error of its own cost.
-    Result<std::vector<Cost>> measure(const Gpu& gpu, std::span<const Permutation> canonical) const;
+    Result<std::vector<Cost>> measure(const Gpu& gpu, std::span<const Permutation> canonical,
+                                      const SnippetSet& snippets = SnippetSet::builtIn()) const;
 
 private:
     explicit QpuCompiler(std::filesystem::path program) : m_program(std::move(program)) {}

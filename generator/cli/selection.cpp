@@ -17,7 +17,9 @@ namespace {
 
 constexpr std::size_t kMostMisfits = 100'000; // About a second.
 
-Result<Permutation> permutationOfKey(std::string_view hex) { return parseHex(hex).and_then(fromKey); }
+Result<Permutation> permutationOfKey(std::string_view hex) {
+    return parseHex(hex).and_then([](const Key& key) { return fromKey(key, snippets()); });
+}
 
 using Permutations = std::vector<Permutation>;
 
@@ -61,7 +63,7 @@ public:
     bool operator()(const Permutation& permutation) const {
         if (m_profiles.empty())
             return true;
-        const Composed program = compose(permutation);
+        const Composed program = compose(permutation, snippets());
         return std::all_of(m_profiles.begin(), m_profiles.end(),
                            [&](const Profile& profile) { return budget(program.interface, profile).fits(); });
     }
@@ -143,7 +145,7 @@ private:
 Result<Canonical> readName(std::string_view name) {
     // Escaped first: the error quotes it above a row of carets.
     const Result<Permutation> named =
-        name.starts_with("0x") ? permutationOfKey(name) : parseName(printable(name));
+        name.starts_with("0x") ? permutationOfKey(name) : parseName(printable(name), snippets());
     return named ? canonicalise(*named) : Result<Canonical>(named.error());
 }
 

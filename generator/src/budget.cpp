@@ -3,6 +3,7 @@
 
 #include "franken/generator/choices.h"
 #include "franken/generator/compose.h"
+#include "franken/generator/effect.h"
 #include "franken/generator/texture_role.h"
 
 #include <algorithm>
@@ -221,18 +222,28 @@ Budget budget(const Interface& interface, const Profile& profile) {
     return result;
 }
 
-std::vector<Feature> costlyFeatures(const Permutation& permutation, Resource resource) {
-    const int used = usedOf(compose(permutation).interface, resource);
+std::vector<Feature> costlyFeatures(const Permutation& permutation, Resource resource,
+                                    const SnippetSet& snippets) {
+    const int used = usedOf(compose(permutation, snippets).interface, resource);
     std::vector<Feature> features;
-    for (const Choice& choice : choices()) {
-        const unsigned value = choice.get(permutation);
-        Permutation without = permutation;
-        choice.set(without, 0);
+    const auto tryWithout = [&](std::string_view word, const Permutation& without) {
         const auto canonical = canonicalise(without);
-        if (value == 0 || choice.name == "program" || !canonical)
-            continue;
-        if (const int left = usedOf(compose(canonical->permutation).interface, resource); left < used)
-            features.push_back({std::string(choice.options[value].word), left});
+        if (!canonical)
+            return;
+        if (const int left = usedOf(compose(canonical->permutation, snippets).interface, resource);
+            left < used)
+            features.push_back({std::string(word), left});
+    };
+    for (const Choice& choice : choices())
+        if (const unsigned value = choice.get(permutation); value != 0 && choice.name != "program") {
+            Permutation without = permutation;
+            choice.set(without, 0);
+            tryWithout(choice.options[value].word, without);
+        }
+    if (const Effect* const effect = snippets.effectOf(permutation.effect); effect != nullptr) {
+        Permutation without = permutation;
+        without.effect = {};
+        tryWithout(effect->name(), without);
     }
     std::stable_sort(features.begin(), features.end(),
                      [](const Feature& a, const Feature& b) { return a.used < b.used; });

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "canonical.h"
 
+#include "effect_rules.h"
+
 #include "franken/generator/choices.h"
 #include "franken/generator/texture_role.h"
 #include "recipe.h"
@@ -31,7 +33,14 @@ Permutation reduce(Permutation permutation, Drop drop) {
             choice.set(without, 0);
             if (outlines(without) != wanted)
                 continue;
-            drop(choice, value);
+            drop(choice.options[value].word, choice.name);
+            permutation = without;
+            changed = true;
+        }
+        Permutation without = permutation;
+        without.effect = {};
+        if (permutation.effect.slot != 0 && outlines(without) == wanted) {
+            drop("effect", "effect");
             permutation = without;
             changed = true;
         }
@@ -39,13 +48,17 @@ Permutation reduce(Permutation permutation, Drop drop) {
     return permutation;
 }
 
-std::string reasonFor(const Permutation& p, const Choice& choice) {
-    if (choice.name == "target")
+std::string reasonFor(const Permutation& p, std::string_view choice) {
+    if (choice == "target")
         return "this program is the same on all GPUs";
-    if (choice.name == "precision")
+    if (choice == "precision")
         return "this program is the same in 16 bits";
-    if (choice.name == "lightVectors" && p.precision == Precision::Fp16)
+    if (choice == "lightVectors" && p.precision == Precision::Fp16)
         return "in 16 bits light vectors are exact per pixel alone";
+    if (choice == "effect")
+        return "it fills no hook of this program";
+    if (choice == "lightVectors" && p.effect.slot != 0)
+        return "the effect sees the surface per pixel";
     if (p.program == Program::Sky)
         return "the sky has no material and is lit by nothing";
     if (p.program == Program::Overlay)
@@ -54,7 +67,7 @@ std::string reasonFor(const Permutation& p, const Choice& choice) {
         return "the view of the material does not show it; leave the 'view-' word out";
     if (p.shading == Shading::Unlit)
         return "an unlit surface shows its base colour alone; leave 'unlit' out to see it";
-    if (choice.name == "lightVectors")
+    if (choice == "lightVectors")
         return p.punctualLights > 0 ? "punctual lights are lit per pixel, and suns beside them too"
                                     : "there is no sun";
     if (p.suns + p.punctualLights == 0)
@@ -107,6 +120,9 @@ std::optional<Error> findContradiction(const Permutation& p) {
         if (choice.get(p) >= choice.options.size())
             return Error{"permutation.range", std::string(choice.name), "the value is out of range",
                          "the largest is " + std::to_string(choice.options.size() - 1)};
+    if (!isEffect(p.effect))
+        return Error{"permutation.range", "effect", "this is no effect",
+                     "choose one with SnippetSet::chooseEffect()"};
     for (const Rule& rule : kRules)
         if (rule.broken(p))
             return contradiction(choiceNamed(rule.choice), p, std::string(rule.what),
@@ -150,16 +166,18 @@ Result<Canonical> canonicalise(const Permutation& permutation) {
         return *error;
     Canonical canonical{permutation, {}};
     unifyViews(canonical);
-    canonical.permutation = reduce(canonical.permutation, [&](const Choice& choice, unsigned value) {
-        canonical.dropped.push_back(
-            {std::string(choice.options[value].word), reasonFor(permutation, choice)});
-    });
+    canonical.permutation =
+        reduce(canonical.permutation, [&](std::string_view word, std::string_view choice) {
+            canonical.dropped.push_back({std::string(word), reasonFor(permutation, choice)});
+        });
     return canonical;
 }
 
 Permutation fragmentChoices(const Permutation& permutation) {
     Permutation choices = permutation;
     choices.uv0Transform = choices.uv1Transform = false;
+    if (choices.effect.slot != 0 && outline(permutation, Stage::Fragment).effect == 0)
+        choices.effect = {};
     return choices;
 }
 
@@ -167,8 +185,8 @@ Key stageKey(const Permutation& permutation, Stage stage) {
     if (stage == Stage::Fragment)
         return toKey(fragmentChoices(permutation));
     const Outline vertex = outline(permutation, Stage::Vertex);
-    return {
-        {vertex.rows.to_ullong(), std::uint64_t{vertex.suns} | std::uint64_t{vertex.punctualLights} << 8}};
+    return {{vertex.rows.to_ullong(), std::uint64_t{vertex.suns} | std::uint64_t{vertex.punctualLights} << 8 |
+                                          std::uint64_t{vertex.effect} << 16}};
 }
 
 } // namespace franken

@@ -158,7 +158,6 @@ constexpr ReservedBits kReserved[] = {
     {"vertices in object space", 46, 1},
     {"skins", 47, 2},
     {"morphs", 49, 1},
-    {"an effect of the application", 50, 6},
     {"spare material bits", 56, 8},
     {"driver workarounds", 100, 4},
     {"shadows of four suns", 104, 4},

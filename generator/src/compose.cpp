@@ -33,6 +33,19 @@ public:
         m_stage.lines.insert(m_stage.lines.end(), section.lines.begin(), section.lines.end());
     }
 
+    /// The same, but a line that stands already is left out: two hooks may read what an effect declares once.
+    void declarations(const Part::Section& section) {
+        std::string_view text = section.text;
+        for (const LineOrigin& origin : section.lines) {
+            const std::string_view line = text.substr(0, text.find('\n') + 1);
+            text.remove_prefix(line.size());
+            if (origin.effect && m_stage.text.find(line) != std::string::npos)
+                continue;
+            m_stage.text.append(line);
+            m_stage.lines.push_back(origin);
+        }
+    }
+
 private:
     ComposedStage& m_stage;
 };
@@ -47,20 +60,22 @@ void writeVertexFlags(Writer& writer, const std::vector<Step>& steps) {
     static constexpr std::string_view kTimes[] = {"0", "1", "2", "3", "4"};
     static_assert(std::size(kTimes) == Permutation::kMaxLights + 1);
     for (const Step& step : steps)
-        if (step.light == 0)
+        if (isFirst(step))
             writeFlag(writer, recipe()[step.row].snippet,
                       kTimes[std::count_if(steps.begin(), steps.end(),
                                            [&](const Step& other) { return other.row == step.row; })]);
 }
 
 // The choices that are not the default, one a line: "//   normal: 1", "//   brdf: seed".
-void writeFragmentFlags(Writer& writer, const Permutation& permutation) {
+void writeFragmentFlags(Writer& writer, const Permutation& permutation, const SnippetSet& snippets) {
     for (const Choice& choice : choices())
         if (const unsigned value = choice.get(permutation); value != 0)
             writeFlag(writer, choice.name, choice.options.size() == 2 ? "1" : choice.options[value].word);
+    if (const Effect* const effect = snippets.effectOf(permutation.effect); effect != nullptr)
+        writeFlag(writer, "effect", effect->name());
 }
 
-void writeHeader(Writer& writer, const Permutation& permutation, Stage stage,
+void writeHeader(Writer& writer, const Permutation& permutation, const SnippetSet& snippets, Stage stage,
                  const std::vector<Step>& steps) {
     writer.own("#version 100");
     if (stage == Stage::Vertex) {
@@ -68,15 +83,15 @@ void writeHeader(Writer& writer, const Permutation& permutation, Stage stage,
         writeVertexFlags(writer, steps);
     } else {
         const Permutation choices = fragmentChoices(permutation);
-        writer.own({"// FrankenShader ", toName(choices)});
-        writeFragmentFlags(writer, choices);
+        writer.own({"// FrankenShader ", toName(choices, snippets)});
+        writeFragmentFlags(writer, choices, snippets);
     }
     writer.own("//");
     writer.own(stage == Stage::Vertex ? "// VERTEX SHADER" : "// FRAGMENT SHADER");
     writer.own("//");
 }
 
-bool isUniform(Group group) { return group >= Group::FrameUniforms && group <= Group::ObjectUniforms; }
+bool isUniform(Group group) { return group >= Group::FrameUniforms && group <= Group::UserUniforms; }
 
 // Attributes, varyings, uniforms block by block, samplers; a blank line between the kinds.
 void writeDeclarations(Writer& writer, const std::vector<const Part*>& parts) {
@@ -89,7 +104,7 @@ void writeDeclarations(Writer& writer, const std::vector<const Part*>& parts) {
             if (before && *before != group && !(isUniform(*before) && isUniform(group)))
                 writer.own("");
             before = group;
-            writer.section(part->declarations[i]);
+            writer.declarations(part->declarations[i]);
         }
 }
 
@@ -120,8 +135,9 @@ void writeMain(Writer& writer, const std::vector<const Part*>& parts, const std:
 
 void addUniform(Interface& interface, const Uniform& uniform) {
     for (Uniform& known : interface.uniforms)
-        if (known.fragment != uniform.fragment && known.name == uniform.name) {
-            known.vertex = known.fragment = true;
+        if (known.name == uniform.name) {
+            known.vertex = known.vertex || uniform.vertex;
+            known.fragment = known.fragment || uniform.fragment;
             return;
         }
     interface.uniforms.push_back(uniform);
@@ -144,7 +160,7 @@ void composeStage(const Permutation& permutation, const SnippetSet& snippets, St
     for (const Step& step : steps)
         parts.push_back(&partOf(snippets, step));
     Writer writer(out);
-    writeHeader(writer, permutation, stage, steps);
+    writeHeader(writer, permutation, snippets, stage, steps);
     writeDeclarations(writer, parts);
     writeFunctions(writer, parts);
     writeMain(writer, parts, steps);
@@ -173,10 +189,15 @@ int reportedLine(std::string_view message) {
 std::string toString(const LineOrigin& origin, std::string_view folder) {
     if (origin.snippet.empty())
         return {};
+    if (origin.effect)
+        return std::string(origin.snippet) + ":" + std::to_string(origin.line);
     return std::string(folder) + "/" + std::string(origin.snippet) + ".glsl:" + std::to_string(origin.line);
 }
 
-Composed compose(const Permutation& permutation, const SnippetSet& snippets) {
+Composed compose(const Permutation& wanted, const SnippetSet& snippets) {
+    Permutation permutation = wanted;
+    if (snippets.effectOf(wanted.effect) == nullptr)
+        permutation.effect = {};
     Composed composed;
     composed.interface.attributes.reserve(8);
     composed.interface.varyings.reserve(8);

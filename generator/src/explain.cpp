@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/explain.h"
 
+#include "effect_text.h"
 #include "franken/generator/choices.h"
 #include "library.h"
 #include "recipe.h"
@@ -20,6 +21,11 @@ Permutation without(const Permutation& permutation, const Choice& choice) {
     return result;
 }
 
+Permutation withoutEffect(Permutation permutation) {
+    permutation.effect = {};
+    return permutation;
+}
+
 std::vector<std::string> wordsOf(const Permutation& permutation) {
     std::vector<std::string> words;
     for (const Choice& choice : choices())
@@ -33,15 +39,19 @@ struct Missed {
     std::vector<Step> plan; ///< The program without that word.
 };
 
-std::vector<Missed> planWithoutEach(const Permutation& permutation) {
+std::vector<Missed> planWithoutEach(const Permutation& permutation, const SnippetSet& snippets) {
     std::vector<Missed> result;
     for (const Choice& choice : choices())
         if (const unsigned value = choice.get(permutation); value != 0)
             result.push_back({std::string(choice.options[value].word), plan(without(permutation, choice))});
+    if (const Effect* const effect = snippets.effectOf(permutation.effect); effect != nullptr)
+        result.push_back({effect->name(), plan(withoutEffect(permutation))});
     return result;
 }
 
 Permutation smallestWith(const Step& step, Permutation permutation) {
+    if (const Permutation less = withoutEffect(permutation); contains(plan(less), step))
+        permutation = less;
     const std::span<const Choice> all = choices();
     for (auto choice = all.rbegin(); choice != all.rend(); ++choice)
         if (const Permutation less = without(permutation, *choice); contains(plan(less), step))
@@ -63,12 +73,14 @@ Reason reasonFor(const Step& step, const Permutation& permutation, const std::ve
 
 } // namespace
 
-std::vector<Reason> explain(const Permutation& permutation) {
-    const std::vector<Missed> missed = planWithoutEach(permutation);
+std::vector<Reason> explain(const Permutation& permutation, const SnippetSet& snippets) {
+    const std::vector<Missed> missed = planWithoutEach(permutation, snippets);
     std::vector<Reason> reasons;
     for (const Step& step : plan(permutation))
-        if (step.light == 0)
+        if (isFirst(step))
             reasons.push_back(reasonFor(step, permutation, missed));
+    if (const Effect* const effect = snippets.effectOf(permutation.effect); effect != nullptr)
+        reasons.push_back({std::string(effect->text().file), Reason::Kind::All, {effect->name()}});
     return reasons;
 }
 

@@ -21,7 +21,8 @@ constexpr std::array<TypeRow, 8> kTypes = {{{"float", 1},
                                             {"mat4", 16},
                                             {"sampler2D", 0},
                                             {"samplerCube", 0}}};
-constexpr std::array<std::string_view, 4> kBlocks = {"frame", "lights", "material", "object"};
+constexpr std::array<std::string_view, kBlocks> kBlockNames = {"frame", "lights", "material", "object",
+                                                               "user"};
 
 using Slot = std::pair<std::string_view, int>;
 constexpr std::array<Slot, 6> kAttributes = {
@@ -30,7 +31,7 @@ constexpr std::array<Slot, 6> kAttributes = {
 
 std::string_view toGlsl(Type type) { return kTypes[static_cast<std::size_t>(type)].glsl; }
 int componentCount(Type type) { return kTypes[static_cast<std::size_t>(type)].components; }
-std::string_view toText(Block block) { return kBlocks[static_cast<std::size_t>(block)]; }
+std::string_view toText(Block block) { return kBlockNames[static_cast<std::size_t>(block)]; }
 
 int attributeLocation(std::string_view name) {
     for (const auto& [attribute, location] : kAttributes)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/choices.h"
 
+#include "effect_rules.h"
+
 #include <cassert>
 #include <charconv>
 
@@ -25,6 +27,7 @@ bool readWord(std::string_view digits, std::uint64_t& word) {
 /// Packs, and returns the first choice that has no such value, if there is one.
 const Choice* pack(const Permutation& permutation, Key& key) {
     key = keyBits(kSchemaVersion, kSchemaBits.shift);
+    key.words[kEffectBits.shift / 64] |= std::uint64_t{permutation.effect.slot} << kEffectBits.shift % 64;
     for (const Choice& choice : choices()) {
         const unsigned value = choice.get(permutation);
         if (value >= choice.options.size())
@@ -39,12 +42,15 @@ const Choice* pack(const Permutation& permutation, Key& key) {
 Key toKey(const Permutation& permutation) {
     Key key;
     [[maybe_unused]] const Choice* const wrong = pack(permutation, key);
-    assert(wrong == nullptr);
+    assert(wrong == nullptr && isEffect(permutation.effect));
     return key;
 }
 
 Result<Key> checkedKey(const Permutation& permutation) {
     Key key;
+    if (!isEffect(permutation.effect))
+        return Error{"permutation.range", toName(permutation), "this is no effect",
+                     "choose one with SnippetSet::chooseEffect()"};
     if (const Choice* const wrong = pack(permutation, key); wrong != nullptr)
         return Error{"permutation.range", toName(permutation),
                      std::string(wrong->name) + " has no value " + std::to_string(wrong->get(permutation)),
@@ -52,7 +58,7 @@ Result<Key> checkedKey(const Permutation& permutation) {
     return key;
 }
 
-Result<Permutation> fromKey(const Key& key) {
+Result<Permutation> fromKey(const Key& key, const SnippetSet& snippets) {
     if (const auto version = valueOf(key, kSchemaBits.shift, kSchemaBits.bits); version != kSchemaVersion)
         return Error{"permutation.schema", "", "the key has schema version " + std::to_string(version),
                      "this library reads version " + std::to_string(kSchemaVersion) + "; name it anew"};
@@ -66,6 +72,11 @@ Result<Permutation> fromKey(const Key& key) {
             return badKey(std::string(choice.name) + " has no value " + std::to_string(value));
         choice.set(permutation, value);
     }
+    const std::uint64_t slot = valueOf(key, kEffectBits.shift, kEffectBits.bits);
+    if (slot > snippets.effects().size())
+        return missingEffect("in slot " + std::to_string(slot));
+    if (slot > 0)
+        permutation.effect = snippets.effects()[slot - 1].choice(static_cast<std::uint8_t>(slot));
     return permutation;
 }
 

@@ -46,6 +46,7 @@ void useOneColor(Permutation& p) {
 }
 
 constexpr Change kRungs[] = {
+    [](Permutation& p) { p.effect = {}; },
     [](Permutation& p) { p.target = Target::Generic; },
     [](Permutation& p) { p.dither = Dither::None; },
     keepTwoLightsOfEach,

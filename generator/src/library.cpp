@@ -17,6 +17,8 @@ std::string_view replacement(Placeholder placeholder, const Step& step) {
         return kLanes[step.light];
     case Placeholder::Uv:
         return kUvs[static_cast<std::size_t>(step.uv)];
+    case Placeholder::Call:
+        return kCall;
     case Placeholder::None:
         break;
     }
@@ -58,6 +60,8 @@ Group groupOf(const Declaration& declaration) {
         return Group::LightsUniforms;
     case Block::Material:
         return Group::MaterialUniforms;
+    case Block::User:
+        return Group::UserUniforms;
     case Block::Object:
         break;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/generator/effect.h"
 #include "franken/generator/snippet_set.h"
 #include "recipe.h"
 #include "snippet.h"
@@ -20,9 +21,10 @@ enum class Group : std::uint8_t {
     LightsUniforms,
     MaterialUniforms,
     ObjectUniforms,
+    UserUniforms,
     Samplers,
 };
-inline constexpr std::size_t kGroups = 8;
+inline constexpr std::size_t kGroups = 9;
 
 /// A snippet with its placeholders filled in: what one step of a plan adds to a program.
 struct Part {
@@ -38,8 +40,10 @@ struct Part {
 
 /// Made once for a set, so that composing only copies.
 struct SnippetSet::Parts {
-    std::vector<std::vector<Part>> rows; ///< By row, then by light, then by stream.
+    std::vector<std::vector<Part>> rows; ///< By row, then by light or effect's slot, then by stream.
     std::string folder;                  ///< Where they came from, as errors name it.
+    std::vector<Effect> effects;         ///< By slot, from 1.
+    bool builtIn = false;
 };
 
 const Part& partOf(const SnippetSet& snippets, const Step& step);
@@ -55,5 +59,15 @@ std::string declaredName(const Declaration& declaration, const Step& step);
 
 /// The parts of one row, from its snippet.
 std::vector<Part> makeParts(std::uint8_t row, const Snippet& snippet);
+
+/// The part of a hook's row as the effect fills it: its functions, what they read of its declarations, and
+/// its call. Empty where it does not fill that hook.
+Part effectPart(Part hookPart, const Effect& effect, std::string_view snippet);
+
+/// Composes programs with the effect, and lints what is its own. Fails with "effect.glsl".
+Result<void> checkEffectText(const SnippetSet& snippets, const EffectChoice& effect);
+
+/// Where the call of an effect goes in the text of a part that no effect has filled.
+inline constexpr std::string_view kCall = "${call}";
 
 } // namespace franken

@@ -65,7 +65,7 @@ constexpr LinkRuleCheck kLinkRules[] = {
      Stage::Fragment,
      varyingDeclared},
     {{"varying-type", "Both stages give a varying the same type."}, Stage::Fragment, varyingType},
-    {{"varying-read", "The fragment shader declares the vertex shader's varyings."},
+    {{kVaryingRead, "The fragment shader declares the vertex shader's varyings."},
      Stage::Vertex,
      varyingRead},
     {{"uniform-type", "Both stages give a uniform the same type."}, Stage::Fragment, uniformType},

@@ -35,6 +35,8 @@ struct LinkRuleCheck {
 std::span<const StageRuleCheck> stageRules();
 std::span<const LinkRuleCheck> linkRules();
 
+inline constexpr std::string_view kVaryingRead = "varying-read";
+
 /// "'text'"
 std::string quoted(std::string_view text);
 

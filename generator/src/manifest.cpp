@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/manifest.h"
 
+#include "crc32.h"
 #include "franken/generator/permutation.h"
-#include "franken/printable.h"
-
 #include "franken/printable.h"
 
 #include <algorithm>
@@ -29,17 +28,6 @@ bool areStates(std::string_view words) {
         words = trim(words.substr(word.size()));
     }
     return true;
-}
-
-/// CRC-32 as in ISO 3309 (zlib's, PNG's): reflected, polynomial 0x04C11DB7.
-std::uint32_t crc32(std::string_view text) {
-    std::uint32_t crc = ~0u;
-    for (const char c : text) {
-        crc ^= static_cast<std::uint8_t>(c);
-        for (int bit = 0; bit < 8; ++bit)
-            crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
-    }
-    return ~crc;
 }
 
 std::string heading() { return std::string(kHeading) + std::to_string(kSchemaVersion) + "\n"; }

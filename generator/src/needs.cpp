@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "needs.h"
 
+#include "franken/generator/effect.h"
+
 namespace franken {
 namespace {
 
 bool reads(const Permutation& p, const Needs& n, UvStream stream) {
     const bool packedOcclusion = n.occlusion && p.occlusion == Occlusion::Packed;
-    const bool metalRough = (n.textured && (n.metallic || n.roughness)) || packedOcclusion;
+    const bool textures = p.metallicRoughness != MetallicRoughness::Factors;
+    const bool metalRough = (textures && (n.metallic || n.roughness)) || packedOcclusion;
     return (n.base && p.baseColorTexture && p.baseColorUv == stream) ||
            (metalRough && p.metallicRoughnessUv == stream) ||
            (n.normal && n.normalMap && p.normalUv == stream) ||
@@ -14,9 +17,13 @@ bool reads(const Permutation& p, const Needs& n, UvStream stream) {
            (n.emissive && p.emissive == Emissive::Texture && p.emissiveUv == stream);
 }
 
+bool readsNormal(const Permutation& p, const Needs& n) {
+    return n.surfaceHook || (n.lightHook && (p.effect.traits & kLightReadsNormal) != 0);
+}
+
 // Others than a first or second sun, which take a normal of any length.
 bool needsUnitNormal(const Permutation& p, const Needs& n) {
-    return n.skyLit || p.suns > 2 || p.punctualLights > 0;
+    return n.skyLit || p.suns > 2 || p.punctualLights > 0 || readsNormal(p, n);
 }
 
 LightForm lightFormOf(const Permutation& p, const Needs& n) {
@@ -25,10 +32,23 @@ LightForm lightFormOf(const Permutation& p, const Needs& n) {
         return LightForm::None;
     if (p.precision == Precision::Fp16)
         return LightForm::PixelUnit;
-    if (p.lightVectors == LightVectors::PerPixel || p.punctualLights > 0)
+    if (p.lightVectors == LightVectors::PerPixel || p.punctualLights > 0 || readsNormal(p, n) || n.toEye)
         return unitNormal ? LightForm::PixelUnit : LightForm::PixelFew;
     const bool worldNormal = unitNormal || (n.turned && p.facingWorkaround);
     return n.normalMap && !worldNormal ? LightForm::VertexTangent : LightForm::VertexWorld;
+}
+
+bool changes(const Permutation& p, const Needs& n, unsigned traits) {
+    return n.surfaceHook && (p.effect.traits & traits) != 0;
+}
+
+// An effect is seen where it can be: a look into the material shows what it did to that alone.
+void findHooks(const Permutation& p, Needs& n) {
+    const auto has = [&p](unsigned trait) { return (p.effect.traits & trait) != 0; };
+    n.vertexHook = n.material && has(kVertexHook);
+    n.surfaceHook = (n.direct || n.skyLit) && has(kSurfaceHook);
+    n.lightHook = n.material && n.shaded && has(kLightHook);
+    n.toEye = (n.surfaceHook && has(kSurfaceReadsToEye)) || (n.lightHook && has(kLightReadsToEye));
 }
 
 void findLight(const Permutation& p, Needs& n) {
@@ -38,12 +58,13 @@ void findLight(const Permutation& p, Needs& n) {
     n.skyLit = n.ambient && dependsOnNormal(p.ambient);
     n.reflection = n.ambient && p.reflection != Reflection::None;
     n.emissive = lit && p.emissive != Emissive::None;
+    findHooks(p, n);
     n.occlusion = (n.ambient || (n.material && p.view == View::Occlusion)) && p.occlusion != Occlusion::None;
-    n.normal = n.direct || n.skyLit || (n.material && p.view == View::Normal);
+    n.normal = n.direct || n.skyLit || readsNormal(p, n) || (n.material && p.view == View::Normal);
     n.normalMap = n.normal && p.normal == Normal::Map;
     n.turned = n.normal && p.sides == Sides::Double;
     n.lightForm = lightFormOf(p, n);
-    n.toCamera = n.direct || n.reflection || (n.turned && p.facingWorkaround);
+    n.toCamera = n.direct || n.reflection || n.toEye || (n.turned && p.facingWorkaround);
 }
 
 void findMaterial(const Permutation& p, Needs& n) {
@@ -52,9 +73,12 @@ void findMaterial(const Permutation& p, Needs& n) {
     const bool looked = n.material && p.view == View::BaseColor;
     n.color = unlit || overlay || looked || n.direct || n.ambient;
     n.base = n.color || (n.material && p.alpha != Alpha::Opaque);
+    n.baseColorHook = n.material && n.base && (p.effect.traits & kBaseColorHook) != 0;
     n.metallic = n.direct || n.skyLit || (n.material && p.view == View::RoughnessMetallic);
-    n.roughness = n.direct || n.reflection || (n.material && p.view == View::RoughnessMetallic);
-    n.textured = p.metallicRoughness != MetallicRoughness::Factors;
+    n.roughness = n.direct || n.reflection || changes(p, n, kSurfaceChangesRoughness) ||
+                  (n.material && p.view == View::RoughnessMetallic);
+    n.textured = p.metallicRoughness != MetallicRoughness::Factors ||
+                 changes(p, n, kSurfaceChangesMetallic | kSurfaceChangesRoughness);
 }
 
 } // namespace

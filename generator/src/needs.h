@@ -32,12 +32,14 @@ struct Needs {
     bool toCamera;   ///< The vector to the eye, per pixel.
     bool metallic;   ///< Metalness.
     bool roughness;  ///< Roughness.
-    bool textured;   ///< Metalness and roughness come from textures.
+    bool textured;   ///< Metalness and roughness per pixel: from textures, or changed by an effect.
     bool occlusion;
     bool emissive;
     bool decode;   ///< Textures are brought to linear light.
     bool encode;   ///< The output is encoded.
     bool uv0, uv1; ///< Streams that something reads.
+    /// Hooks that an effect fills; the vector to the eye, as it takes it.
+    bool vertexHook, baseColorHook, surfaceHook, lightHook, toEye;
 };
 
 Needs needsOf(const Permutation& permutation);

@@ -140,6 +140,7 @@ constexpr PackField kFields[] = {
     {Block::Frame, "uReflectionScale", offsetof(FrameBlock, reflectionScale)},
     {Block::Frame, "uDither", offsetof(FrameBlock, dither)},
     {Block::Frame, "uLengthScale", offsetof(FrameBlock, lengthScale)},
+    {Block::Frame, "uLengthUnit", offsetof(FrameBlock, lengthUnit)},
     {Block::Lights, "uSun#Direction", offsetof(LightsBlock, sunDirection),
      sizeof(LightsBlock::sunDirection[0])},
     {Block::Lights, "uSun#Radiance", offsetof(LightsBlock, sunRadiance), sizeof(LightsBlock::sunRadiance[0])},
@@ -200,6 +201,11 @@ int fieldOffset(Block block, std::string_view uniform) {
                 if (const auto bytes = bytesIn(field, uniform))
                     return static_cast<int>(*bytes / sizeof(float));
     return -1;
+}
+
+int fieldOffset(const Uniform& uniform) {
+    constexpr int kFloats = sizeof(Float4) / sizeof(float);
+    return uniform.block == Block::User ? kFloats * uniform.value : fieldOffset(uniform.block, uniform.name);
 }
 
 } // namespace franken

@@ -15,6 +15,10 @@ std::vector<Step> plan(const Permutation& p, Stage stage) {
         if (!applying.rows[begin])
             continue;
         const Each each = all[begin].each;
+        if (each == Each::Effect) {
+            steps.push_back({static_cast<std::uint8_t>(begin), applying.effect, UvStream::Uv0});
+            continue;
+        }
         while (each != Each::Once && end < rows.end && all[end].each == each)
             ++end;
         for (std::uint8_t light = 0; light < repeats(p, each); ++light)

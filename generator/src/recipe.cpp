@@ -40,7 +40,8 @@ struct Slot {
 };
 
 constexpr std::array kSlots = {
-    Slot{kVertex, needs<&Needs::material>, {{"transform/position"}}},
+    Slot{kVertex, [](P, N n) { return n.material && !n.vertexHook; }, {{"transform/position"}}},
+    Slot{kVertex, needs<&Needs::vertexHook>, {{"transform/position.effect"}}, Each::Effect},
     Slot{kVertex, is<&Permutation::program, Program::Overlay>, {{"transform/overlay"}}},
     Slot{kVertex, is<&Permutation::program, Program::Sky>, {{"transform/skybox"}}},
     Slot{kVertex,
@@ -54,7 +55,9 @@ constexpr std::array kSlots = {
     Slot{kVertex, normalVarying, {{"frame/normal_varying"}}},
     Slot{kVertex,
          [](P, N n) { return n.toCamera || n.normalMap; },
-         {{"frame/to_camera", needs<&Needs::toCamera>}, {"frame/model"}}},
+         {{"frame/to_camera.effect", [](P, N n) { return n.toCamera && n.vertexHook; }},
+          {"frame/to_camera", needs<&Needs::toCamera>},
+          {"frame/model"}}},
     Slot{kVertex, cameraVarying, {{"frame/to_camera_varying.fp16", kFp16}, {"frame/to_camera_varying"}}},
     Slot{kVertex, directInFp16, {{"lights/to_punctual.fp16"}}, Each::Punctual},
     Slot{kVertex, needs<&Needs::normalMap>, {{"frame/tangent"}}},
@@ -94,6 +97,7 @@ constexpr std::array kSlots = {
          [](P p, N n) { return texturedBase(p, n) && cubic(p, n) && p.alpha != Alpha::Opaque; },
          {{"base_color/times_alpha"}}},
     Slot{kFragment, coloured, {{"base_color/times_vertex_color"}}},
+    Slot{kFragment, needs<&Needs::baseColorHook>, {{"effect/base_color"}}, Each::Effect},
     Slot{kFragment,
          [](P p, N n) { return n.material && p.alpha == Alpha::Mask; },
          {{"base_color/alpha_mask"}}},
@@ -119,13 +123,15 @@ constexpr std::array kSlots = {
     Slot{kFragment,
          [](P p, N n) { return n.metallic && (n.textured || looked(p, n)); },
          {{"metallic_roughness/metallic.packed", kPacked},
-          {"metallic_roughness/metallic.separate", kTextured, &Permutation::metallicRoughnessUv},
+          {"metallic_roughness/metallic.separate", kSeparate, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/metallic.factor"}}},
     Slot{kFragment,
          readsRoughness,
          {{"metallic_roughness/roughness.packed", kPacked},
-          {"metallic_roughness/roughness.separate", kTextured, &Permutation::metallicRoughnessUv},
+          {"metallic_roughness/roughness.separate", kSeparate, &Permutation::metallicRoughnessUv},
           {"metallic_roughness/roughness.factor"}}},
+    Slot{kFragment, needs<&Needs::toEye>, {{"effect/to_eye.fp16", kFp16}, {"effect/to_eye"}}},
+    Slot{kFragment, needs<&Needs::surfaceHook>, {{"effect/surface"}}, Each::Effect},
     Slot{kFragment,
          [](P p, N n) { return n.textured && n.roughness && n.shaded && p.precision == Precision::Fp16; },
          {{"metallic_roughness/floor.fp16"}}},
@@ -251,6 +257,8 @@ constexpr std::array kSlots = {
            &Permutation::emissiveUv},
           {"emissive/texture", always, &Permutation::emissiveUv}}},
 
+    Slot{kFragment, needs<&Needs::lightHook>, {{"effect/light"}}, Each::Effect},
+
     Slot{kFragment,
          [](P p, N n) { return toneMapped(p, n) && p.precision == Precision::Fp16; },
          {{"shading/limit.fp16"}}},
@@ -322,6 +330,8 @@ void addSlot(P p, N n, Outline& outline) {
         outline.suns = p.suns;
     if constexpr (slot.each == Each::Punctual)
         outline.punctualLights = p.punctualLights;
+    if constexpr (slot.each == Each::Effect)
+        outline.effect = p.effect.slot;
     addForm<Index, 0>(p, n, outline);
 }
 

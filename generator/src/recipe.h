@@ -10,7 +10,8 @@
 namespace franken {
 
 /// How often a row's snippet stands in the text. Neighbouring rows of the same kind repeat together.
-enum class Each : std::uint8_t { Once, Sun, Punctual };
+/// Effect: once, as the effect of the permutation fills it.
+enum class Each : std::uint8_t { Once, Sun, Punctual, Effect };
 
 /// One row of the recipe: which snippet, in which stage. The rows' order is that of the text; their
 /// conditions stand in recipe_conditions.h. Rows of which at most one is in a text make one slot
@@ -39,7 +40,7 @@ inline std::uint8_t repeats(const Permutation& p, Each each) {
 /// A row that applies, with what its placeholders stand for.
 struct Step {
     std::uint8_t row;
-    std::uint8_t light; ///< Index of the sun or punctual light.
+    std::uint8_t light; ///< Index of the sun or punctual light; the slot of the effect.
     UvStream uv;
     friend bool operator==(const Step&, const Step&) = default;
 };
@@ -49,6 +50,7 @@ struct Outline {
     std::bitset<kMaxRows> rows;        ///< Those that apply.
     std::bitset<kMaxRows> readsUv1;    ///< Those whose ${uv} stands for stream 1.
     std::uint8_t suns, punctualLights; ///< How often their rows repeat; 0 where there are none.
+    std::uint8_t effect;               ///< The slot of the effect that fills a row; 0 where none does.
     friend bool operator==(const Outline&, const Outline&) = default;
 };
 
@@ -59,6 +61,9 @@ std::vector<Step> plan(const Permutation& permutation);
 
 /// One stage's part of it.
 std::vector<Step> plan(const Permutation& permutation, Stage stage);
+
+/// Whether no earlier step has the same row.
+inline bool isFirst(const Step& step) { return step.light == 0 || recipe()[step.row].each == Each::Effect; }
 
 /// Suns and punctual lights that a plan has a part for.
 int lightsIn(const std::vector<Step>& steps);

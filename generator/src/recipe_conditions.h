@@ -49,6 +49,7 @@ inline bool normalVarying(P, N n) { return n.normal && n.lightForm != LightForm:
 inline bool cameraVarying(P, N n) { return n.toCamera && !lightsPerVertex(n); }
 inline bool cubic(P p, N n) { return n.color && n.decode && p.decode == Decode::Fast; }
 inline constexpr Condition kPacked = is<&Permutation::metallicRoughness, MetallicRoughness::Packed>;
+inline constexpr Condition kSeparate = is<&Permutation::metallicRoughness, MetallicRoughness::Separate>;
 inline bool packedOcclusion(P p, N n) { return n.occlusion && p.occlusion == Occlusion::Packed; }
 inline bool looked(P p, N n) { return n.material && p.view == View::RoughnessMetallic; }
 template<View V>

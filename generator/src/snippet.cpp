@@ -10,8 +10,11 @@
 namespace franken {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, Placeholder>, 3> kPlaceholders = {
-    {{"light", Placeholder::Light}, {"lane", Placeholder::Lane}, {"uv", Placeholder::Uv}}};
+constexpr std::array<std::pair<std::string_view, Placeholder>, 4> kPlaceholders = {
+    {{"light", Placeholder::Light},
+     {"lane", Placeholder::Lane},
+     {"uv", Placeholder::Uv},
+     {"call", Placeholder::Call}}};
 
 Error badLine(std::string_view file, int line, std::string what) {
     return {"snippet.syntax", toString(LineOrigin{file, line}), std::move(what),
@@ -134,7 +137,7 @@ void addPieces(Section& section, const std::vector<Piece>& line) {
 Result<void> addLine(Snippet& snippet, Section& section, std::string_view line, int number) {
     const auto pieces = parsePieces(line);
     if (!pieces)
-        return badLine(snippet.name, number, "the placeholders are ${light}, ${lane} and ${uv}");
+        return badLine(snippet.name, number, "the placeholders are ${light}, ${lane}, ${uv} and ${call}");
     addPieces(section, *pieces);
     section.lines.push_back({snippet.name, number});
     const auto kind = &section == &snippet.declarations ? findKind(line) : std::nullopt;

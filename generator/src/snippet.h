@@ -21,7 +21,7 @@ struct SnippetFile {
 std::span<const SnippetFile> embeddedSnippets();
 
 /// What ${...} in a line stands for.
-enum class Placeholder : std::uint8_t { None, Light, Lane, Uv };
+enum class Placeholder : std::uint8_t { None, Light, Lane, Uv, Call };
 
 /// Literal text, then a placeholder.
 struct Piece {

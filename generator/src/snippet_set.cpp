@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/snippet_set.h"
 
+#include "effect_rules.h"
 #include "library.h"
 
 #include <algorithm>
@@ -76,6 +77,7 @@ const SnippetSet& SnippetSet::builtIn() {
     static const SnippetSet set = [] {
         auto parts = std::make_shared<Parts>();
         parts->folder = kSnippetFolder;
+        parts->builtIn = true;
         for (std::uint8_t row = 0; row < recipe().size(); ++row)
             parts->rows.push_back(makeParts(row, builtInSnippets()[row]));
         return SnippetSet(std::move(parts));
@@ -107,6 +109,55 @@ Result<SnippetSet> SnippetSet::make(const Source& source, std::string folder) {
         parts->rows.push_back(makeParts(row, *snippet));
     }
     return SnippetSet(std::move(parts));
+}
+
+bool SnippetSet::isBuiltIn() const { return m_parts->builtIn; }
+
+std::span<const Effect> SnippetSet::effects() const { return m_parts->effects; }
+
+Result<EffectChoice> SnippetSet::chooseEffect(std::string_view name) const {
+    for (std::size_t i = 0; i < effects().size(); ++i)
+        if (effects()[i].name() == name)
+            return effects()[i].choice(static_cast<std::uint8_t>(i + 1));
+    return missingEffect("'" + std::string(name) + "'");
+}
+
+const Effect* SnippetSet::effectOf(const EffectChoice& choice) const {
+    if (choice.slot == 0 || choice.slot > effects().size())
+        return nullptr;
+    const Effect& effect = effects()[choice.slot - 1u];
+    return effect.choice(choice.slot) == choice ? &effect : nullptr;
+}
+
+Result<void> SnippetSet::check(const EffectChoice& choice) const {
+    if (choice.slot != 0 && effectOf(choice) == nullptr)
+        return missingEffect("in slot " + std::to_string(choice.slot));
+    return {};
+}
+
+Result<SnippetSet> SnippetSet::with(const Effect& effect) const {
+    const std::span<const Effect> known = effects();
+    const auto same = std::find_if(known.begin(), known.end(),
+                                   [&](const Effect& each) { return each.name() == effect.name(); });
+    const auto slot = static_cast<std::uint8_t>(same - known.begin() + 1);
+    if (slot > EffectChoice::kMaxSlot)
+        return Error{"effect.many", effect.name(),
+                     "there are " + std::to_string(known.size()) + " effects already",
+                     "make another set for the others"};
+    auto parts = std::make_shared<Parts>(*m_parts);
+    if (same == known.end())
+        parts->effects.push_back(effect);
+    else
+        parts->effects[slot - 1u] = effect;
+    for (std::uint8_t row = 0; row < recipe().size(); ++row)
+        if (recipe()[row].each == Each::Effect) {
+            parts->rows[row].resize(parts->effects.size() + 1);
+            parts->rows[row][slot] = effectPart(parts->rows[row][0], effect, snippetName(recipe()[row]));
+        }
+    SnippetSet set(std::move(parts));
+    if (Result<void> strict = checkEffectText(set, effect.choice(slot)); !strict)
+        return strict.error();
+    return set;
 }
 
 } // namespace franken

@@ -85,6 +85,7 @@ TEST(Key, BitsDoNotOverlap) {
         used[shift / 64] |= mask;
     };
     take(kSchemaBits.name, kSchemaBits.shift, kSchemaBits.bits);
+    take(kEffectBits.name, kEffectBits.shift, kEffectBits.bits);
     for (const Choice& choice : choices()) {
         take(choice.name, choice.shift, choice.bits);
         EXPECT_LE(choice.options.size(), std::size_t{1} << choice.bits) << choice.name;

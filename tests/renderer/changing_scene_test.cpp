@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a scene that changes all the time costs: allocations, compiles, and memory that stays.
 #include "allocation_count.h"
+#include "franken/generator/effect.h"
 #include "franken/renderer.h"
 #include "support/gl_recorder.h"
 #include "support/null_gl.h"
@@ -31,6 +32,9 @@ Scene balls() {
     return builder.scene;
 }
 
+constexpr char kTint[] = "//! declarations\nuniform vec4 uTint; // user: factor\n"
+                         "//! base-color\nvec4 onBaseColor(vec4 base) {\n  return base * uTint;\n}\n";
+
 Lighting skyLight() {
     Lighting lighting;
     lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3, .ofSky = true}};
@@ -50,6 +54,9 @@ constexpr DrawTarget kTarget{.width = 64, .height = 64};
 struct Changing {
     explicit Changing(const Gl& gl) : renderer(gl) {
         renderer.setLighting(lighting);
+        const SnippetSet snippets = *SnippetSet::builtIn().with(*Effect::parse("tint", kTint, "tint.glsl"));
+        renderer.setSnippets(snippets);
+        renderer.setLook({.effect = *snippets.chooseEffect("tint")});
         model = *renderer.add(balls(), [] { return Result<Scene>(balls()); });
         places = {*renderer.firstPlace(model), *renderer.addPlace(model), *renderer.addPlace(model)};
         EXPECT_TRUE(renderer.show({{model}}));
@@ -66,6 +73,10 @@ struct Changing {
         first.add(renderer.setWorld(places[0], world));
         first.add(renderer.setVisible(places[1], frame % 3 != 0));
         first.add(renderer.setMaterial(model, 0, material));
+        const std::array<Float4, 1> tint{{{1, material.baseColor.r, 1, 1}}};
+        first.add(renderer.setEffectValues(tint));
+        first.add(renderer.setEffectValues(
+            places[2], std::span<const Float4>(tint).first(static_cast<std::size_t>(frame % 2))));
         first.add(renderer.draw(viewpoint(frame), kTarget));
         return first.result;
     }
@@ -95,6 +106,7 @@ TEST(ChangingScene, AFrameAllocatesNothingAndCompilesNothing) {
         ASSERT_TRUE(scene.draw(frame));
     EXPECT_EQ(scene.renderer.programCounters().compiles, compiles);
     EXPECT_EQ(countCalls("CompileShader") + countCalls("LinkProgram"), 0u);
+    EXPECT_GE(countCalls("Uniform4fv"), 3000u) << "the effect's values among them";
     EXPECT_EQ(countCalls("BufferData") + countCalls("TexImage2D"), 0u);
 
     Changing quiet(nullGl()); // The recorder allocates.

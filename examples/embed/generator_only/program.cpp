@@ -30,6 +30,7 @@ const float* blockOf(const Values& values, Block block) {
     case Block::Material:
         return reinterpret_cast<const float*>(&values.material);
     case Block::Object:
+    case Block::User: // Of effects, which this program has none of.
         break;
     }
     return reinterpret_cast<const float*>(&values.object);

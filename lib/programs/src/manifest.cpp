@@ -15,9 +15,9 @@ constexpr std::string_view kWraps = "rcm"; // In the order of Wrap.
 
 bool blendsByName(const Permutation& permutation) { return permutation.alpha == Alpha::Blend; }
 
-std::string lineOf(const ProgramUse& use) {
+std::string lineOf(const ProgramUse& use, const SnippetSet& snippets) {
     const DrawState usual;
-    std::string line = toName(use.permutation);
+    std::string line = toName(use.permutation, snippets);
     for (std::size_t unit = 0; unit < kTextureUnits; ++unit)
         if (const auto [s, t] = use.state.wraps[unit]; !(use.state.wraps[unit] == usual.wraps[unit]))
             line += " wrap" + std::to_string(unit) + "=" + kWraps[static_cast<std::size_t>(s)] +
@@ -47,13 +47,15 @@ bool readState(std::string_view word, DrawState& state) {
     return true;
 }
 
-Result<ProgramUse> readLine(const ManifestLine& line, const std::string& file) {
+bool isOfEffect(const Error& error) { return error.code.starts_with("effect."); }
+
+Result<ProgramUse> readLine(const ManifestLine& line, const std::string& file, const SnippetSet& snippets) {
     const std::string where = file + ":" + std::to_string(line.number);
     const auto refuse = [&](const Error& error) {
-        return Error{"manifest.line", where + (error.where.empty() ? "" : ": " + error.where), error.what,
-                     error.remedy};
+        return Error{isOfEffect(error) ? error.code : "manifest.line",
+                     where + (error.where.empty() ? "" : ": " + error.where), error.what, error.remedy};
     };
-    const Result<Permutation> parsed = parseName(line.name);
+    const Result<Permutation> parsed = parseName(line.name, snippets);
     if (!parsed)
         return refuse(parsed.error());
     const Result<Canonical> canonical = canonicalise(*parsed);
@@ -71,37 +73,57 @@ Result<ProgramUse> readLine(const ManifestLine& line, const std::string& file) {
     return use;
 }
 
+std::string textOf(const ManifestLine& line) {
+    return std::string(line.name) + (line.state.empty() ? "" : " ") + std::string(line.state) + "\n";
+}
+
 } // namespace
 
-std::string manifestLinesOf(std::span<const ProgramUse> uses) {
+std::string manifestLinesOf(std::span<const ProgramUse> uses, const SnippetSet& snippets) {
     std::string text;
     for (const ProgramUse& use : uses)
-        text += lineOf(use);
+        text += lineOf(use, snippets);
     return text;
 }
 
-std::string toManifest(std::span<const ProgramUse> uses) {
-    return wholeManifest(manifestLinesOf(uses), uses.size());
+std::string toManifest(std::span<const ProgramUse> uses, const SnippetSet& snippets) {
+    return wholeManifest(manifestLinesOf(uses, snippets), uses.size());
 }
 
-Result<std::vector<ProgramUse>> parseManifest(std::string_view text, const std::string& name) {
+Result<ManifestContents> readContents(std::string_view text, const std::string& name,
+                                      const SnippetSet& snippets) {
     if (text.size() > kMaxManifestBytes)
         return Error{"manifest.size", name, "it is larger than 1 MiB", "remove programs that are not needed"};
     const Result<ManifestLines> parsed = parseManifestLines(text, name);
     if (!parsed)
         return parsed.error();
-    std::vector<ProgramUse> uses;
+    ManifestContents contents;
     for (const ManifestLine& line : parsed->lines) {
-        const Result<ProgramUse> use = readLine(line, name);
+        const Result<ProgramUse> use = readLine(line, name, snippets);
+        if (!use && isOfEffect(use.error())) {
+            contents.skipped.push_back({textOf(line), use.error()});
+            continue;
+        }
         // A whole text of ours with a word that we do not know: by a version that had other words.
         if (!use && parsed->byUs)
             return Error{"manifest.schema", use.error().where, use.error().what,
                          "delete it; it will be written again"};
         if (!use)
             return use.error();
-        uses.push_back(*use);
+        contents.uses.push_back(*use);
     }
-    return uses;
+    return contents;
+}
+
+Result<std::vector<ProgramUse>> parseManifest(std::string_view text, const std::string& name,
+                                              const SnippetSet& snippets, const Log& log) {
+    Result<ManifestContents> contents = readContents(text, name, snippets);
+    if (!contents)
+        return contents.error();
+    for (const SkippedLine& line : contents->skipped)
+        if (log)
+            log(LogLevel::Warning, "a program of the manifest is skipped: " + toString(line.error));
+    return std::move(contents->uses);
 }
 
 } // namespace franken

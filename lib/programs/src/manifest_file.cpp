@@ -26,7 +26,7 @@ struct Existing {
     };
     Kind kind = Kind::Nothing;
     std::string text;
-    std::vector<ProgramUse> uses;
+    ManifestContents contents;
 };
 
 Error writeError(const Error& error) { return {"manifest.write", error.where, error.what, error.remedy}; }
@@ -37,7 +37,7 @@ Error foreign(const fs::path& file, const std::string& why) {
 }
 
 // A file that cannot be read or that someone else made is an error: nothing is lost by a disk's bad day.
-Result<Existing> look(const fs::path& file) {
+Result<Existing> look(const fs::path& file, const SnippetSet& snippets) {
     std::error_code ignored;
     const fs::file_status status = fs::status(file, ignored);
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
@@ -52,15 +52,15 @@ Result<Existing> look(const fs::path& file) {
     std::string text((*bytes)->begin(), (*bytes)->end());
     if (isTorn(text))
         return Existing{};
-    auto uses = parseManifest(text, file.string());
-    if (uses)
+    auto contents = readContents(text, file.string(), snippets);
+    if (contents)
         return Existing{isByUs(text) ? Existing::Kind::Ours : Existing::Kind::ByHand, std::move(text),
-                        *std::move(uses)};
-    if (uses.error().code == "manifest.damaged" || uses.error().code == "manifest.schema")
+                        *std::move(contents)};
+    if (contents.error().code == "manifest.damaged" || contents.error().code == "manifest.schema")
         return Existing{};
-    if (uses.error().code == "manifest.empty")
+    if (contents.error().code == "manifest.empty")
         return Existing{Existing::Kind::ByHand, std::move(text), {}};
-    return foreign(file, uses.error().where + ": " + uses.error().what);
+    return foreign(file, contents.error().where + ": " + contents.error().what);
 }
 
 Result<void> write(const fs::path& file, const std::string& text) {
@@ -83,7 +83,8 @@ std::vector<ProgramUse> missingIn(const std::vector<ProgramUse>& known, std::spa
 
 } // namespace
 
-Result<std::vector<ProgramUse>> readManifest(const fs::path& file) {
+Result<std::vector<ProgramUse>> readManifest(const fs::path& file, const SnippetSet& snippets,
+                                             const Log& log) {
     const Result<std::vector<std::uint8_t>> bytes = readFile(file, kMaxManifestBytes);
     if (!bytes && bytes.error().code == "file.size")
         return Error{"manifest.size", file.string(), bytes.error().what,
@@ -92,11 +93,12 @@ Result<std::vector<ProgramUse>> readManifest(const fs::path& file) {
         return Error{"manifest.read", file.string(), bytes.error().what,
                      "nothing at a first start: it is written after the first program that was missing"};
     const std::string_view text(reinterpret_cast<const char*>(bytes->data()), bytes->size());
-    return parseManifest(text, file.string());
+    return parseManifest(text, file.string(), snippets, log);
 }
 
-std::vector<ProgramUse> readManifestOrNothing(const fs::path& file, const Log& log) {
-    Result<std::vector<ProgramUse>> uses = readManifest(file);
+std::vector<ProgramUse> readManifestOrNothing(const fs::path& file, const Log& log,
+                                              const SnippetSet& snippets) {
+    Result<std::vector<ProgramUse>> uses = readManifest(file, snippets, log);
     if (uses)
         return *std::move(uses);
     if (log)
@@ -104,37 +106,47 @@ std::vector<ProgramUse> readManifestOrNothing(const fs::path& file, const Log& l
     return {};
 }
 
-Result<void> writeManifest(const fs::path& file, std::span<const ProgramUse> uses) {
+Result<void> writeManifest(const fs::path& file, std::span<const ProgramUse> uses,
+                           const SnippetSet& snippets) {
     const Result<FileLock> lock = FileLock::take(file);
     if (!lock)
         return writeError(lock.error());
-    const Result<Existing> existing = look(file);
+    const Result<Existing> existing = look(file, snippets);
     if (!existing)
         return existing.error();
     if (existing->kind == Existing::Kind::ByHand)
         return foreign(file, "someone wrote it by hand");
-    return write(file, toManifest(uses));
+    return write(file, toManifest(uses, snippets));
 }
 
-Result<void> appendToManifest(const fs::path& file, std::span<const ProgramUse> uses) {
+Result<void> appendToManifest(const fs::path& file, std::span<const ProgramUse> uses,
+                              const SnippetSet& snippets) {
     const Result<FileLock> lock = FileLock::take(file);
     if (!lock)
         return writeError(lock.error());
-    Result<Existing> existing = look(file);
+    Result<Existing> existing = look(file, snippets);
     if (!existing)
         return existing.error();
-    std::vector<ProgramUse> missing = missingIn(existing->uses, uses);
+    std::vector<ProgramUse> missing = missingIn(existing->contents.uses, uses);
     if (missing.empty())
         return {};
     if (existing->kind == Existing::Kind::ByHand) {
         std::string& text = existing->text;
         if (!text.empty() && text.back() != '\n')
             text += '\n';
-        return write(file, text + manifestLinesOf(missing));
+        return write(file, text + manifestLinesOf(missing, snippets));
     }
-    std::vector<ProgramUse> all = std::move(existing->uses);
+    std::vector<ProgramUse> all = std::move(existing->contents.uses);
     all.insert(all.end(), missing.begin(), missing.end());
-    return write(file, toManifest(all));
+    std::string lines = manifestLinesOf(all, snippets);
+    std::size_t count = all.size();
+    for (const SkippedLine& skipped : existing->contents.skipped)
+        if (skipped.error.code ==
+            "effect.missing") { // An effect of another run's; a text that is gone is not kept.
+            lines += skipped.text;
+            ++count;
+        }
+    return write(file, wholeManifest(lines, count));
 }
 
 } // namespace franken

@@ -23,8 +23,7 @@ std::string_view nameOf(Stage stage) {
     return stage == Stage::Vertex ? " (vertex shader)" : " (fragment shader)";
 }
 
-Error failedAt(const char* code, const Permutation& permutation, std::string_view stage, std::string log) {
-    const std::string name = toName(permutation);
+Error failedAt(const char* code, const std::string& name, std::string_view stage, std::string log) {
     return {code, name + std::string(stage), std::move(log), "see its text with: frankenshader dump " + name};
 }
 
@@ -201,6 +200,8 @@ void ProgramCache::setSnippets(const SnippetSet& snippets) {
     m_state->clear();
 }
 
+const SnippetSet& ProgramCache::snippets() const { return m_state->snippets; }
+
 void ProgramCache::setParallelCompile(bool on) { m_state->options.parallelCompile = on; }
 
 std::size_t ProgramCache::size() const { return m_state->live; }
@@ -227,8 +228,8 @@ ProgramCache::State::Entry& ProgramCache::State::add(const Permutation& permutat
                 .interface = std::move(composed.interface),
                 .error = {}};
     ++live;
-    const bool broken =
-        entry.vertex->log || entry.fragment->log || !entry.vertex->name || !entry.fragment->name;
+    const bool broken = !snippets.check(permutation.effect) || entry.vertex->log || entry.fragment->log ||
+                        !entry.vertex->name || !entry.fragment->name;
     if (!broken) {
         ++counters.links;
         entry.linked = link(entry);
@@ -278,6 +279,9 @@ void ProgramCache::State::finish(Entry& entry) {
 
 // A shader is asked only when something went wrong, so that the driver may take its time.
 Error ProgramCache::State::reasonOf(const Entry& entry) const {
+    if (Result<void> known = snippets.check(entry.permutation.effect); !known)
+        return known.error();
+    const std::string name = toName(entry.permutation, snippets);
     for (Shader* shader : {entry.vertex.get(), entry.fragment.get()}) {
         if (!shader->name && !shader->log)
             shader->log = "the driver makes no shader";
@@ -291,11 +295,11 @@ Error ProgramCache::State::reasonOf(const Entry& entry) const {
                                     vertex ? composed.vertex : composed.fragment));
         }
         if (shader->log)
-            return failedAt("program.compile", entry.permutation, nameOf(shader->stage), *shader->log);
+            return failedAt("program.compile", name, nameOf(shader->stage), *shader->log);
     }
     if (!entry.linked)
-        return failedAt("program.link", entry.permutation, "", "the driver makes no program");
-    return failedAt("program.link", entry.permutation, "",
+        return failedAt("program.link", name, "", "the driver makes no program");
+    return failedAt("program.link", name, "",
                     logOf(entry.linked.name(), gl->GetProgramiv, gl->GetProgramInfoLog));
 }
 

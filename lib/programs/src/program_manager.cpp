@@ -16,8 +16,7 @@
 namespace franken {
 namespace {
 
-Error drawsNothing(const Permutation& permutation) {
-    const std::string name = toName(permutation);
+Error drawsNothing(const std::string& name) {
     return {
         "program.draw", name,
         "links, but draws nothing or a wrong color, as where the GPU's registers or digits do not suffice",
@@ -100,10 +99,13 @@ void ProgramManager::setBudget(unsigned programsPerFrame) {
 
 void ProgramManager::resetBudget() { m_state->left = m_state->budget; }
 
+const SnippetSet& ProgramManager::snippets() const { return m_state->cache.snippets(); }
+
 void ProgramManager::setSnippets(const SnippetSet& snippets) {
     m_state->cache.setSnippets(snippets);
-    m_state->ownSnippets = true;
-    m_state->probe = std::make_unique<ProgramProbe>(*m_state->gl, *m_state->reset, m_state->log, true);
+    m_state->ownSnippets = !snippets.isBuiltIn();
+    m_state->probe =
+        std::make_unique<ProgramProbe>(*m_state->gl, *m_state->reset, m_state->log, m_state->ownSnippets);
     m_state->validated.clear();
     m_state->ends.clear();
     m_state->fallbacks.clear();
@@ -210,8 +212,9 @@ void ProgramManager::State::fail(const Permutation& permutation, const Error& er
     const std::optional<Permutation> next = simpler(permutation);
     fallbacks.push_back({permutation, next, error});
     if (log)
-        log(LogLevel::Error, toString(error) + "; key " + toHex(toKey(permutation)) + "; " +
-                                 (next ? "drawn with " + toName(*next) + " instead" : "not drawn"));
+        log(LogLevel::Error,
+            toString(error) + "; key " + toHex(toKey(permutation)) + "; " +
+                (next ? "drawn with " + toName(*next, cache.snippets()) + " instead" : "not drawn"));
 }
 
 void ProgramManager::State::noteMiss(const ProgramUse& use, const ProgramHandle& program) {
@@ -238,7 +241,7 @@ Result<std::vector<bool>> ProgramManager::State::validate(std::span<const Progra
             const std::uint64_t bits = toBits(uses[i].state, unitsOf(*programs[i]));
             validated[{toKey(uses[i].permutation), bits}] = programs[i];
         } else {
-            const Error error = drawsNothing(uses[i].permutation);
+            const Error error = drawsNothing(toName(uses[i].permutation, cache.snippets()));
             cache.reject(uses[i].permutation, error);
             fail(uses[i].permutation, error);
         }

@@ -15,6 +15,9 @@ namespace {
 constexpr int kOwnSize = 16;
 constexpr Float3 kFirst{0.25f, 0.5f, 0.75f}, kSecond{0.75f, 0.25f, 0.5f}; ///< Differ in each channel.
 
+// Where an effect draws nothing with these, it is asked again with 0.
+constexpr EffectBlock kAllOne{{{{1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}}}};
+
 constexpr Float9 kIdentity3{1, 0, 0, 0, 1, 0, 0, 0, 1};
 // What the vertices' places are in the world: all light comes from straight ahead.
 constexpr float kTiny = 1.0f / 4096;
@@ -108,6 +111,7 @@ std::vector<bool> ProgramProbe::draw(std::span<const Draw> draws, const DrawTarg
 std::vector<bool> ProgramProbe::drawRow(Row row) {
     std::vector<bool> drawn(row.size(), true);
     const Pixels before = clear(kFirst, row.size());
+    m_effect.edit() = kAllOne;
     for (std::size_t i = 0; i < row.size(); ++i)
         drawOne(row[i], static_cast<GLint>(i));
     const Pixels after = read(row.size());
@@ -116,6 +120,7 @@ std::vector<bool> ProgramProbe::drawRow(Row row) {
     if (std::find(drawn.begin(), drawn.end(), false) == drawn.end())
         return drawn;
     const Pixels again = clear(kSecond, row.size());
+    m_effect.edit() = {};
     for (std::size_t i = 0; i < row.size(); ++i)
         if (!drawn[i])
             drawOne(row[i], static_cast<GLint>(i));
@@ -130,7 +135,8 @@ std::vector<bool> ProgramProbe::drawRow(Row row) {
 }
 
 bool ProgramProbe::isRight(const Draw& draw, const Pixel& before, const Pixel& after) const {
-    return m_ownSnippets ? after != before : isExpected(*draw.permutation, after);
+    return m_ownSnippets || draw.permutation->effect.slot != 0 ? after != before
+                                                               : isExpected(*draw.permutation, after);
 }
 
 ProgramProbe::Pixels ProgramProbe::clear(const Float3& color, std::size_t count) {
@@ -157,7 +163,7 @@ void ProgramProbe::drawOne(const Draw& draw, GLint x) {
     m_material.edit() = packMaterial(kMaterial, draw.permutation->brdf, 1, draw.permutation->precision);
     m_state.useProgram(draw.program->name());
     const auto& lights = draw.permutation->precision == Precision::Fp16 ? m_lightsFp16 : m_lights;
-    draw.program->feed({m_frame.view(), lights.view(), m_material.view(), m_object.view()});
+    draw.program->feed({m_frame.view(), lights.view(), m_material.view(), m_object.view(), m_effect.view()});
     m_state.enableArrays(draw.program->attributes());
     shape.draw(m_state, draw.program->attributes());
 }

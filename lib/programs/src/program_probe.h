@@ -64,6 +64,7 @@ private:
     UniformBlock<LightsBlock> m_lights, m_lightsFp16;
     UniformBlock<MaterialBlock> m_material;
     UniformBlock<ObjectBlock> m_object;
+    UniformBlock<EffectBlock> m_effect;
     bool m_ownSnippets;
     bool m_saidThatItIsBlind = false;
 };

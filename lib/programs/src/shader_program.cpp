@@ -31,7 +31,7 @@ ShaderProgram::~ShaderProgram() {
 
 void ShaderProgram::addSlot(const Uniform& uniform) {
     const GLint location = m_gl->GetUniformLocation(name(), uniform.name.c_str());
-    const int offset = fieldOffset(uniform.block, uniform.name);
+    const int offset = fieldOffset(uniform);
     assert(offset >= 0);
     if (location >= 0)
         m_slots[static_cast<std::size_t>(uniform.block)].push_back(

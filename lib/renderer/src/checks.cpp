@@ -142,6 +142,19 @@ Result<void> checkTransform(const glm::dmat4& matrix) {
                         "its last row must be 0, 0, 0, 1: only a camera projects"}});
 }
 
+Result<EffectBlock> effectBlock(std::span<const Float4> values) {
+    if (values.size() > kEffectValues)
+        return Error{"renderer.effect", "", std::to_string(values.size()) + " values are too many",
+                     "an effect has at most " + std::to_string(kEffectValues)};
+    EffectBlock block{};
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (!areFinite(values[i]))
+            return Error{"renderer.effect", "[" + std::to_string(i) + "]", "it is not finite", kUnchanged};
+        block.values[i] = values[i];
+    }
+    return block;
+}
+
 Error unknownModel() {
     return {"renderer.model", "", "there is no such model", "use what add() returned, until remove()"};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/draw_target.h"
+#include "franken/generator/pack.h"
 #include "franken/image.h"
 #include "franken/light.h"
 #include "franken/overlay.h"
@@ -27,6 +28,8 @@ Result<void> check(const Image& image);
 Result<void> checkTransform(const glm::dmat4& matrix);
 /// "renderer.sky": the range of an encoded sky.
 Result<void> checkRange(float range);
+/// Of these values, the others 0. "renderer.effect": too many, or not finite.
+Result<EffectBlock> effectBlock(std::span<const Float4> values);
 
 /// "renderer.model", "renderer.place"
 Error unknownModel();

@@ -97,6 +97,7 @@ void Frame::updateBlocks(const PlacedView& view, const DrawTarget& target) {
     if (m_look.precision == Precision::Fp16) {
         const float farthest = static_cast<float>(m_list.farthest(view.viewpoint.eye));
         values.lengthScale = lengthScaleFp16(farthest);
+        values.lengthUnit = 1 / values.lengthScale;
         values.skyRange = std::min(values.skyRange, kMostFp16);
         fitToFp16(lights, farthest);
     }
@@ -175,6 +176,8 @@ void Frame::drawOne(const Object& object) {
         bind(material);
     ShaderProgram& program = *material.program;
     program.feed(Block::Object, {reinterpret_cast<const float*>(&object.block), object.serial});
+    if (m_look.effect.slot != 0)
+        program.feed(Block::User, object.place->effect ? object.place->effect->view() : m_effect.view());
     m_device.state.setCulling(!material.doubleSided || material.state.blend);
     m_device.state.setFrontFace(object.mirrored ? GL_CW : GL_CCW);
     object.mesh->draw(m_device.gl, m_device.state, program.attributes(), material.plan.uvSets);

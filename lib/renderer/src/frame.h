@@ -22,6 +22,7 @@ public:
     void setLighting(const Lighting& lighting);
     void setLook(const Look& look);
     const Look& look() const { return m_look; }
+    void setEffectValues(const EffectBlock& values) { m_effect.set(values); }
     /// The skybox or the snippets have changed.
     void forgetPrograms() { m_resolved = false; }
 
@@ -67,6 +68,7 @@ private:
     ProgramHandle m_skyboxProgram;
     UniformBlock<FrameBlock> m_frame;
     UniformBlock<LightsBlock> m_lights;
+    UniformBlock<EffectBlock> m_effect;           ///< Where a place has no values of its own.
     const GpuMaterial* m_boundMaterial = nullptr; ///< Whose program and textures are bound; null: unknown.
     FrameCounters m_counters;
 };

@@ -216,6 +216,7 @@ Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& ligh
         return permutationOf(plan, fittedLighting(lighting), look);
     Permutation permutation = plan.permutation;
     apply(look, permutation);
+    permutation.effect = look.effect;
     if (plan.fine)
         permutation.lightVectors = look.lightVectors;
     permutation.ambient = lighting.ambient.kind;

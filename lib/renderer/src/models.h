@@ -24,8 +24,9 @@ struct Place {
     Model* model;
     glm::dmat4 world{1.0};
     bool visible = true;
-    int variant = kNone;    ///< Of the scene.
-    unsigned movements = 0; ///< How often `world` has changed.
+    int variant = kNone;                                  ///< Of the scene.
+    unsigned movements = 0;                               ///< How often `world` has changed.
+    std::optional<UniformBlock<EffectBlock>> effect = {}; ///< Instead of the frame's.
 };
 
 /// Pixels in place of those of the scene.
@@ -63,6 +64,7 @@ public:
     void removePlace(PlaceId id);
     Result<void> setWorld(PlaceId id, const glm::dmat4& world);
     Result<void> setVisible(PlaceId id, bool visible);
+    Result<void> setEffectValues(PlaceId id, std::span<const Float4> values);
 
     Result<void> setVariant(ModelId id, std::string_view name);
     Result<void> setVariant(PlaceId id, std::string_view name);

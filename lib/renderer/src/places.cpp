@@ -73,4 +73,20 @@ Result<void> Models::setVisible(PlaceId id, bool visible) {
     return {};
 }
 
+Result<void> Models::setEffectValues(PlaceId id, std::span<const Float4> values) {
+    Place* const place = find(id);
+    if (place == nullptr)
+        return unknownPlace();
+    const Result<EffectBlock> block = effectBlock(values);
+    if (!block)
+        return block.error();
+    if (values.empty())
+        place->effect.reset();
+    else if (place->effect)
+        place->effect->set(*block);
+    else
+        place->effect.emplace().edit() = *block;
+    return {};
+}
+
 } // namespace franken

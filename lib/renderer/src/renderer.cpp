@@ -240,6 +240,22 @@ void Renderer::setSnippets(const SnippetSet& snippets) {
     m_state->overlay.forgetProgram();
 }
 
+const SnippetSet& Renderer::snippets() const { return m_state->programs.manager.snippets(); }
+
+Result<void> Renderer::setEffectValues(std::span<const Float4> values) {
+    return m_state->note("setEffectValues()", [&]() -> Result<void> {
+        const Result<EffectBlock> block = effectBlock(values);
+        if (!block)
+            return block.error();
+        m_state->frame.setEffectValues(*block);
+        return {};
+    });
+}
+
+Result<void> Renderer::setEffectValues(PlaceId place, std::span<const Float4> values) {
+    return m_state->note("setEffectValues()", [&] { return m_state->models.setEffectValues(place, values); });
+}
+
 Result<void> Renderer::prepare() {
     return m_state->call("prepare()", [&]() -> Result<void> {
         if (!m_state->lightingError)

@@ -67,6 +67,8 @@ const void* addressOf(const Blocks& blocks, Block block) {
         return &blocks.material;
     case Block::Object:
         return &blocks.object;
+    case Block::User:
+        break;
     }
     return nullptr;
 }

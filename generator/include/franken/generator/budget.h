@@ -78,11 +78,12 @@ struct Feature {
     int used;         ///< The program's use without it.
 };
 
-/// The choices of a canonical permutation that can be given up where its program exceeds a resource: every
-/// choice that takes some of the resource by itself, the largest saving first. A choice whose `used` is
-/// within the profile's limit suffices alone. The function sets one choice at a time to its default,
-/// canonicalises and composes again; a choice that another one needs (the packed texture under a packed
-/// occlusion) is therefore not in the list.
-std::vector<Feature> costlyFeatures(const Permutation& permutation, Resource resource);
+/// The choices of a canonical permutation, its effect included, that can be given up where its program
+/// exceeds a resource: every choice that takes some of the resource by itself, the largest saving first. A
+/// choice whose `used` is within the profile's limit suffices alone. The function sets one choice at a time
+/// to its default, canonicalises and composes again; a choice that another one needs (the packed texture
+/// under a packed occlusion) is therefore not in the list.
+std::vector<Feature> costlyFeatures(const Permutation& permutation, Resource resource,
+                                    const SnippetSet& snippets = SnippetSet::builtIn());
 
 } // namespace franken

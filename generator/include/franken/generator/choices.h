@@ -33,6 +33,9 @@ struct ReservedBits {
 /// The bits that say which schema a key is of.
 inline constexpr ReservedBits kSchemaBits{"the schema version", 120, 8};
 
+/// The bits that hold the slot of an effect.
+inline constexpr ReservedBits kEffectBits{"the effect", 50, 6};
+
 /// A value at its place in a key.
 constexpr Key keyBits(std::uint64_t value, unsigned shift) {
     Key key;
@@ -45,7 +48,8 @@ constexpr std::uint64_t valueOf(const Key& key, unsigned shift, unsigned bits) {
     return key.words[shift / 64] >> shift % 64 & ((std::uint64_t{1} << bits) - 1);
 }
 
-/// All choices, in the order of names and of the table in the README.
+/// All choices but the effect, whose values are the application's, in the order of names and of the table in
+/// the README.
 std::span<const Choice> choices();
 
 /// Bits that are reserved, so that these features will change no existing key. New values of an existing

@@ -16,13 +16,14 @@ namespace FRANKEN_API franken {
 struct LineOrigin {
     std::string_view snippet; ///< "fragment/brdf/ggx"; empty for lines that the composer wrote itself.
     int line;                 ///< In generator/glsl/<snippet>.glsl, from 1.
+    bool effect = false;      ///< `snippet` is an effect's file, as Effect::parse() was told.
 };
 
 /// The folder of the built-in snippets in FrankenShader's sources.
 inline constexpr std::string_view kSnippetFolder = "generator/glsl";
 
 /// "generator/glsl/fragment/brdf/ggx.glsl:12"; empty for a line that the composer wrote itself. `folder` is
-/// where the snippets of the SnippetSet came from.
+/// where the snippets of the SnippetSet came from; an effect's file stands by itself: "fog.glsl:7".
 std::string toString(const LineOrigin& origin, std::string_view folder = kSnippetFolder);
 
 /// One shader, ready for glShaderSource, and the origin of each of its lines. Drivers misreport #line, so
@@ -40,7 +41,8 @@ struct Composed {
 };
 
 /// Writes the program of a canonical permutation (canonicalise first). Pure and deterministic: the same
-/// bytes on every machine, from any thread.
+/// bytes on every machine, from any thread. An effect that the set has not got is left out: see
+/// SnippetSet::check().
 Composed compose(const Permutation& permutation, const SnippetSet& snippets = SnippetSet::builtIn());
 
 /// Adds snippets' files and lines to a driver's log: appends "<file>:<line>" to each line number that the

@@ -18,7 +18,7 @@ struct Reason {
         Enough, ///< The words together suffice, but other words of the name would as well.
     };
 
-    std::string snippet; ///< "fragment/brdf/ggx", as in LineOrigin.
+    std::string snippet; ///< "fragment/brdf/ggx", as in LineOrigin; an effect's file.
     Kind kind;
     std::vector<std::string> words; ///< In the order of choices.h.
 };
@@ -28,7 +28,8 @@ struct Reason {
 /// line comes from and why it is there. A word requires a snippet if the program without the word lacks the
 /// snippet; if no single word is necessary, words are removed from last to first while the snippet remains,
 /// and the rest is reported.
-std::vector<Reason> explain(const Permutation& permutation);
+std::vector<Reason> explain(const Permutation& permutation,
+                            const SnippetSet& snippets = SnippetSet::builtIn());
 
 /// "normal+sun1" where all words are needed, "sun1 or others" where they suffice, "" for snippets that are
 /// always there.

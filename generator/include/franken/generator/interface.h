@@ -3,6 +3,7 @@
 
 #include "franken/api.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -25,7 +26,9 @@ enum class Block : std::uint8_t {
     Lights,   ///< With suns, punctual lights, ambient light or exposure.
     Material, ///< With the material.
     Object,   ///< With every object drawn.
+    User,     ///< When the application says so: the values of its effect (effect.h).
 };
+inline constexpr std::size_t kBlocks = 5;
 
 std::string_view toText(Block block);
 
@@ -46,6 +49,7 @@ struct Uniform {
     int count; ///< Array length; 1 if it is no array.
     Block block;
     bool vertex, fragment; ///< The stages that declare it.
+    int value = 0;         ///< Of Block::User: which of the effect's values it is.
 };
 
 struct Sampler {

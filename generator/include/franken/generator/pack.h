@@ -3,6 +3,7 @@
 
 #include "franken/api.h"
 #include "franken/generator/ambient.h"
+#include "franken/generator/effect.h"
 #include "franken/generator/interface.h"
 #include "franken/generator/light.h"
 #include "franken/generator/permutation.h"
@@ -109,6 +110,7 @@ struct FrameBlock {
     float reflectionScale; ///< Root of the range, times the exposure, of the sky as rough mirrors show it
     Float3 dither;         ///< Amplitude per channel, in output units
     float lengthScale = 1; ///< Of vectors to the eye in 16-bit floats: see lengthScaleFp16()
+    float lengthUnit = 1;  ///< 1 / lengthScale
 };
 
 /// FrameBlock::lengthScale for a farthest surface at that distance from the eye, m; at most 1.
@@ -124,8 +126,16 @@ struct ObjectBlock {
     Float9 overlay;      ///< Overlays alone: (x, y, 1) in their units to clip space
 };
 
+/// The values of an effect, in the order in which its text declares them; they mean what it says.
+struct EffectBlock {
+    std::array<Float4, kEffectValues> values;
+};
+
 /// Where a uniform's value starts in its block, in floats; -1 where the block has no such uniform. Tests
 /// hold that every uniform of every program has one.
 int fieldOffset(Block block, std::string_view uniform);
+
+/// The same, of an effect's uniform in the EffectBlock as well.
+int fieldOffset(const Uniform& uniform);
 
 } // namespace franken

@@ -3,6 +3,7 @@
 
 #include "franken/api.h"
 #include "franken/generator/ambient.h"
+#include "franken/generator/snippet_set.h"
 #include "franken/result.h"
 
 #include <array>
@@ -124,6 +125,17 @@ enum class Precision : std::uint8_t {
     Fp16, ///< 16-bit floats: roughness from 0.3 up, and lengths scaled by the vertex shader.
 };
 
+/// An effect of the application's (effect.h), by its slot in the registry of a SnippetSet, with what of it
+/// shapes a program. Effect::choice() and SnippetSet::chooseEffect() make it; default-constructed it is none.
+struct EffectChoice {
+    static constexpr std::uint8_t kMaxSlot = 63;
+
+    std::uint8_t slot = 0;    ///< From 1; 0 is no effect.
+    std::uint16_t traits = 0; ///< Bits of EffectTrait: its hooks, and what they read.
+
+    friend bool operator==(const EffectChoice&, const EffectChoice&) = default;
+};
+
 /// Every choice that changes the text of a program, and nothing else. A default-constructed one is an
 /// opaque, untextured, unlit-by-anything surface; each member's first value is its default.
 struct Permutation {
@@ -167,6 +179,8 @@ struct Permutation {
     bool facingWorkaround = false; ///< Back faces are found by N.V: for drivers whose gl_FrontFacing lies.
     Precision precision = Precision::Fp32;
 
+    EffectChoice effect{};
+
     friend bool operator==(const Permutation&, const Permutation&) = default;
 };
 
@@ -199,9 +213,10 @@ Key toKey(const Permutation& permutation);
 /// The same for permutations from outside. Fails with "permutation.range" for a value that no choice has.
 Result<Key> checkedKey(const Permutation& permutation);
 
-/// Unpacks. Fails with "permutation.schema" for another schema version and "permutation.key" where a bit
-/// pattern means nothing or a reserved bit is set.
-Result<Permutation> fromKey(const Key& key);
+/// Unpacks. Fails with "permutation.schema" for another schema version, with "permutation.key" where a bit
+/// pattern means nothing or a reserved bit is set, and with "effect.missing" where the set has no effect in
+/// the slot that the key has.
+Result<Permutation> fromKey(const Key& key, const SnippetSet& snippets = SnippetSet::builtIn());
 
 enum class Stage : std::uint8_t { Vertex, Fragment };
 
@@ -210,13 +225,16 @@ enum class Stage : std::uint8_t { Vertex, Fragment };
 Key stageKey(const Permutation& permutation, Stage stage);
 
 /// The name: words for all choices that are not the default, material words joined by '.', the rest by
-/// '+', in the order of choices.h: "basecolor.normal+ambient+sun2". The default permutation is "surface".
-std::string toName(const Permutation& permutation);
+/// '+', in the order of choices.h: "basecolor.normal+ambient+sun2". The default permutation is "surface". An
+/// effect stands at the end, with a hash of its text: "basecolor+sun1+fog@5d0b1a3c". A set that has not got
+/// it writes its slot, "effect#3", which no name has.
+std::string toName(const Permutation& permutation, const SnippetSet& snippets = SnippetSet::builtIn());
 
 /// Reads a name; words may stand in any order and be separated by '.' or '+', defaults may be spelled
 /// out. Fails with "permutation.unknown-word" (the nearest word is offered) or "permutation.twice" where
-/// two words answer the same choice.
-Result<Permutation> parseName(std::string_view name);
+/// two words answer the same choice. An effect's name may stand without its hash. Fails with "effect.missing"
+/// and "effect.changed" for an effect that the set has not got, or has with another text.
+Result<Permutation> parseName(std::string_view name, const SnippetSet& snippets = SnippetSet::builtIn());
 
 /// A choice that canonicalising put back to its default, because it changes nothing here.
 struct Dropped {

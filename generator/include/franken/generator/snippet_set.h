@@ -6,11 +6,15 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace FRANKEN_API franken {
+
+class Effect;
+struct EffectChoice;
 
 /// The snippets that programs are composed of. Most users need only the built-in set. Authors of snippets
 /// load a folder, and load it again after an edit, without building.
@@ -40,6 +44,27 @@ public:
     ///
     /// `folder` names the source of the texts in errors and in the origins of lines.
     static Result<SnippetSet> make(const Source& source, std::string folder);
+
+    /// Whether all snippets are those of the build; effects do not count.
+    bool isBuiltIn() const;
+
+    /// The set with one more effect, or with this one instead of another of its name, in that one's slot.
+    /// Slots of others stay. Composes some programs with it and checks them as lint.h does. Fails with
+    /// "effect.glsl" where they are not strict GLSL ES 1.00, and with "effect.many" beyond
+    /// EffectChoice::kMaxSlot effects.
+    Result<SnippetSet> with(const Effect& effect) const;
+
+    /// By slot, from 1: effects()[0] has slot 1.
+    std::span<const Effect> effects() const;
+
+    /// How a permutation asks for the effect of that name. Fails with "effect.missing".
+    Result<EffectChoice> chooseEffect(std::string_view name) const;
+
+    /// The effect that was chosen in this set; null for none, and where the set has no such effect.
+    const Effect* effectOf(const EffectChoice& choice) const;
+
+    /// Whether the set can compose what was chosen. Fails with "effect.missing".
+    Result<void> check(const EffectChoice& choice) const;
 
     /// All parts of programs; the generator's own business (src/library.h).
     struct Parts;

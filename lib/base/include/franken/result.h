@@ -57,7 +57,7 @@ public:
     Error&& error() && { return std::move(*present(std::get_if<1>(&m_state))); }
 
     /// What `next` makes of the value, a Result of its own; or this error. For a function whose last step may
-    /// fail: `return parseHex(text).and_then(fromKey);`
+    /// fail: `return parsed.and_then(canonicalise);`
     template<typename Next>
     auto and_then(Next&& next) && -> std::invoke_result_t<Next, T&&> {
         if (!has_value())

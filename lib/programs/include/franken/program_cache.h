@@ -59,9 +59,10 @@ public:
     bool pending(const Permutation& permutation) const;
 
     /// The program. Fails with "program.compile" or "program.link"; `where` names the permutation and the
-    /// stage, and each line of the driver's log is followed by the snippet's file and line. Fails with
-    /// whatever reject() was given, and with "renderer.context-lost" where the context no longer answers;
-    /// that failure is not remembered.
+    /// stage, and each line of the driver's log is followed by the snippet's (or effect's) file and line.
+    /// Fails with "effect.missing" where the snippets have not got the permutation's effect, with whatever
+    /// reject() was given, and with "renderer.context-lost" where the context no longer answers; that failure
+    /// is not remembered.
     Result<ProgramHandle> get(const Permutation& permutation);
 
     /// The program of a key if get() has returned it before and it was not evicted, else null: the fast
@@ -77,6 +78,7 @@ public:
     /// Composes from other snippets from now on (at first: those that the library was built with), for
     /// snippet authors. The cache is empty afterwards, failures forgotten; programs that others hold stay.
     void setSnippets(const SnippetSet& snippets);
+    const SnippetSet& snippets() const;
 
     /// Call this, and nothing else, when the context is lost: all GL names are gone, those of the programs
     /// that others hold included. Makes no GL call. The cache is empty afterwards, failures forgotten.

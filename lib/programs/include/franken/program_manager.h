@@ -23,7 +23,7 @@ class GlState;
 struct Fallback {
     Permutation failed;
     std::optional<Permutation> next; ///< Nothing after the end of the chain.
-    Error error;                     ///< "program.compile", "program.link" or "program.draw".
+    Error error; ///< "program.compile", "program.link", "program.draw" or "effect.missing".
 };
 
 /// Called with the number of steps that are done; in the thread of the caller. Exceptions that it throws are
@@ -44,7 +44,8 @@ struct WarmUpReport {
 /// registers do not suffice at the draw, and nothing is drawn. Each program therefore draws one cleared
 /// pixel, which is read back; if it is unchanged over two different clear colours, the program failed. Where
 /// the target cannot be read back (two clears look the same), programs are trusted to draw, which is logged
-/// once.
+/// once. A program with an effect of the application's may draw any colour: it only has to change the pixel,
+/// with all values of the effect 1, or else 0.
 ///
 /// **Warm-up.** warmUp() hands all programs to the driver, asks for their status afterwards, and draws with
 /// each in each state in which it will be used. A program that get() still has to compile afterwards is a
@@ -99,6 +100,7 @@ public:
 
     /// See ProgramCache. Forgets the fallbacks, too.
     void setSnippets(const SnippetSet& snippets);
+    const SnippetSet& snippets() const;
 
     /// Call it when the context is lost: forgets all GL objects, and failures, but keeps counters, misses and
     /// fallbacks. The table must be replaced by one whose functions delete nothing.

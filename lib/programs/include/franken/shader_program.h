@@ -52,8 +52,8 @@ private:
     GLuint m_name;
     Interface m_interface;
     unsigned m_attributes = 0;
-    std::array<std::vector<Slot>, 4> m_slots; ///< By Block.
-    std::array<std::uint64_t, 4> m_seen{};    ///< By Block.
+    std::array<std::vector<Slot>, kBlocks> m_slots; ///< By Block.
+    std::array<std::uint64_t, kBlocks> m_seen{};    ///< By Block.
 };
 
 } // namespace franken

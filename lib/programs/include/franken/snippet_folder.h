@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/generator/effect.h"
 #include "franken/generator/snippet_set.h"
 
 #include <filesystem>
@@ -12,5 +13,9 @@ namespace FRANKEN_API franken {
 /// Fails as SnippetSet::make() does, and with "snippet.file" where a file cannot be read, is empty, or is
 /// larger than 64 KiB; `where` is its path.
 Result<SnippetSet> readSnippets(const std::filesystem::path& folder);
+
+/// Reads an effect of an application's, which is called as its file is, without ".glsl". Fails as
+/// Effect::parse() does, and with "snippet.file".
+Result<Effect> readEffect(const std::filesystem::path& file);
 
 } // namespace franken

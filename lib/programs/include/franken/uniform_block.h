@@ -24,7 +24,7 @@ struct BlockView {
 };
 
 /// The uniforms of one draw: a view of each Block, in the order of the enumeration.
-using BlockViews = std::array<BlockView, 4>;
+using BlockViews = std::array<BlockView, kBlocks>;
 
 /// One of the blocks of generator's pack.h, with a serial that changes whenever the values may have changed.
 /// A program uploads a block only when its serial has changed since the last upload: drawing the same object

@@ -28,6 +28,9 @@ struct Look {
     View view = View::Shaded;
     Target target = Target::Generic;
     bool facingWorkaround = false;
+    /// In the programs of all surfaces that it changes: SnippetSet::chooseEffect() of the renderer's
+    /// snippets.
+    EffectChoice effect = {};
     /// A renderer sets it to Capabilities::precision of its context.
     Precision precision = Precision::Fp32;
 };

@@ -176,9 +176,19 @@ public:
     void setLighting(const Lighting& lighting);
     void setLook(const Look& look);
 
-    /// Recompiles all programs from these snippets (for snippet authors). To keep working programs on an
-    /// error, try the snippets in a separate ProgramCache first.
+    /// Recompiles all programs from these snippets: for snippet authors, and for applications with effects of
+    /// their own (SnippetSet::with(), then Look::effect). To keep working programs on an error, try the
+    /// snippets in a separate ProgramCache first. An effect that a driver refuses, or that draws nothing, is
+    /// left out, and the log says so: see fallbacks().
     void setSnippets(const SnippetSet& snippets);
+    const SnippetSet& snippets() const;
+
+    /// The values of the effect, in the order in which its text declares them; those that are left out are 0,
+    /// as all are at first. Uploads them with the next draw of each program, if they changed. Fails with
+    /// "renderer.effect" for more than kEffectValues, and for numbers that are not finite.
+    Result<void> setEffectValues(std::span<const Float4> values);
+    /// Other values for what stands at a place; none for those above again. Fails with "renderer.place", too.
+    Result<void> setEffectValues(PlaceId place, std::span<const Float4> values);
 
     /// Compiles the programs that the next frame needs. The driver may still compile them again for the
     /// target's format: see warmUp(). Fails as ProgramManager::get() does; materials that have a program are
