@@ -11,7 +11,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     using namespace franken;
     const auto permutation = parseName({reinterpret_cast<const char*>(data), size});
     if (!permutation) {
-        require(permutation.error().code.starts_with("permutation."), "a documented code");
+        require(permutation.error().code.starts_with("permutation.") ||
+                    permutation.error().code.starts_with("effect."),
+                "a documented code");
         return 0;
     }
     const auto again = parseName(toName(*permutation));

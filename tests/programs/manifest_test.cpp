@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The manifest of a run: what is written is read back, and anything else is a clean miss.
 #include "franken/manifest.h"
+
+#include "franken/generator/effect.h"
 #include "support/shell.h"
 
 #include <csignal>
@@ -48,6 +50,39 @@ protected:
 private:
     const fs::path m_folder = emptyTestFolder();
 };
+
+constexpr char kDarker[] = "//! light\nvec3 onLight(vec3 color) {\n  return 0.5 * color;\n}\n";
+
+SnippetSet setWith(const char* name, const std::string& text) {
+    return *SnippetSet::builtIn().with(*Effect::parse(name, text, "effect.glsl"));
+}
+
+ProgramUse useOf(const char* name, const SnippetSet& set) {
+    return {canonicalise(*parseName(name, set))->permutation, {}};
+}
+
+TEST(ManifestOfEffects, NamesThemAndSkipsWhatTheRunHasNotGot) {
+    const SnippetSet set = setWith("dark", kDarker);
+    const std::vector<ProgramUse> uses = {useOf("sun1", set), useOf("sun1+dark", set)};
+    const std::string text = toManifest(uses, set);
+    EXPECT_NE(text.find("sun1+" + set.effects()[0].word() + "\n"), std::string::npos) << text;
+    std::string told;
+    const Log log = [&](LogLevel, std::string_view line) { told.append(line).append("\n"); };
+    const auto same = parseManifest(text, "warm", set, log);
+    ASSERT_TRUE(same);
+    EXPECT_EQ(*same, uses);
+    EXPECT_EQ(told, "");
+    for (const auto& [other, code] :
+         {std::pair(SnippetSet::builtIn(), "[effect.missing]"),
+          {setWith("dark", std::string(kDarker) + "// 2\n"), "[effect.changed]"}}) {
+        told.clear();
+        const auto rest = parseManifest(text, "warm", other, log);
+        ASSERT_TRUE(rest);
+        EXPECT_EQ(*rest, std::vector<ProgramUse>{uses[0]});
+        EXPECT_NE(told.find("warm:3"), std::string::npos) << told;
+        EXPECT_NE(told.find(code), std::string::npos) << told;
+    }
+}
 
 TEST_F(ManifestTest, WhatIsWrittenIsReadBack) {
     ASSERT_TRUE(writeManifest(file(), someUses()));

@@ -46,6 +46,9 @@ if(FRANKEN_CLI)
     install(TARGETS frankenshader RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
     install(FILES generator/cli/frankenshader.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 endif()
+# To be read by those who write snippets and effects of their own.
+install(DIRECTORY generator/glsl DESTINATION ${CMAKE_INSTALL_DATADIR}/frankenshader)
+install(DIRECTORY examples/effects/ DESTINATION ${CMAKE_INSTALL_DATADIR}/frankenshader/effects)
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/FrankenShaderConfig.cmake.in
