@@ -84,6 +84,22 @@ TEST(ManifestOfEffects, NamesThemAndSkipsWhatTheRunHasNotGot) {
     }
 }
 
+// Two kiosks with effects of their own share a file: neither loses the other's lines. Those of a text that is
+// gone go.
+TEST_F(ManifestTest, LinesOfAnotherRunsEffectStay) {
+    const SnippetSet dark = setWith("dark", kDarker), dim = setWith("dim", kDarker);
+    const SnippetSet edited = setWith("dark", std::string(kDarker) + "// 2\n");
+    ASSERT_TRUE(writeManifest(file(), std::vector{useOf("sun1+dark", dark)}, dark));
+    ASSERT_TRUE(appendToManifest(file(), std::vector{useOf("sun2+dim", dim)}, dim));
+    ASSERT_TRUE(readManifest(file(), dark));
+    EXPECT_EQ(*readManifest(file(), dark), std::vector{useOf("sun1+dark", dark)});
+    EXPECT_EQ(*readManifest(file(), dim), std::vector{useOf("sun2+dim", dim)});
+    ASSERT_TRUE(appendToManifest(file(), std::vector{useOf("sun1+dark", edited)}, edited));
+    EXPECT_TRUE(readManifest(file(), dark)->empty());
+    EXPECT_EQ(*readManifest(file(), edited), std::vector{useOf("sun1+dark", edited)});
+    EXPECT_EQ(*readManifest(file(), dim), std::vector{useOf("sun2+dim", dim)});
+}
+
 TEST_F(ManifestTest, WhatIsWrittenIsReadBack) {
     ASSERT_TRUE(writeManifest(file(), someUses()));
     const Result<std::vector<ProgramUse>> read = readManifest(file());

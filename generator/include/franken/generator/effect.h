@@ -68,7 +68,9 @@ std::span<const EffectHook> effectHooks();
 /// so; toEye leads from the surface to the eye, m, not normalised; both in world space, turned with the sky.
 /// Sections may have helpers of their own above that function, and constants. Up to kEffectValues uniforms
 /// `uniform vec4 uName; // user: meaning` are the effect's values, in that order; a varying is handed from
-/// the vertex hook to the others. What an effect moves in the vertex hook is culled where it was.
+/// the vertex hook to the others. An orthographic camera's eye is far away: fog by distance needs a
+/// perspective one. With all values 1, or else 0, an effect must draw something, or it is taken for one that
+/// the driver cannot draw. What an effect moves in the vertex hook is culled where it was.
 ///
 /// It costs what its text costs, on each pixel (`frankenshader cost --effects FILE NAME`); a normal or
 /// metalness per pixel that the program had not got is added. Programs without an effect are not changed.
