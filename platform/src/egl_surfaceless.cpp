@@ -50,13 +50,7 @@ public:
     EglSurface(EGLDisplay display, Size size)
         : ImmediateSurface(Backend::EglSurfaceless, size), m_display(display) {}
 
-    ~EglSurface() override {
-        letGo();
-        if (m_pbuffer != EGL_NO_SURFACE)
-            eglDestroySurface(m_display, m_pbuffer);
-        if (m_context != EGL_NO_CONTEXT)
-            eglDestroyContext(m_display, m_context);
-    }
+    ~EglSurface() override { close(); }
 
     Result<void> open(const SurfaceOptions& options);
 
@@ -68,6 +62,13 @@ protected:
     void unbind() override { eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
 private:
+    Result<void> openWith(EGLConfig config, const SurfaceOptions& options);
+
+    /// Mesa 25.0.7 gives a pbuffer of several samples no colour buffer: what is drawn is lost, and reading it
+    /// is an error.
+    bool hasColors() const;
+
+    void close();
     EGLSurface createPbuffer(EGLConfig config, bool srgb) const;
 
     EGLDisplay m_display;
@@ -76,27 +77,54 @@ private:
 };
 
 Result<void> EglSurface::open(const SurfaceOptions& options) {
-    std::optional<EGLConfig> config = chooseConfig(m_display, options.depthBits, options.samples);
-    if (!config)
-        config = chooseConfig(m_display, options.depthBits, 0);
+    std::optional<EGLConfig> smooth;
+    if (options.samples > 0)
+        smooth = chooseConfig(m_display, options.depthBits, options.samples);
+    if (smooth && openWith(*smooth, options) && hasColors())
+        return {};
+    close();
+    const std::optional<EGLConfig> config = chooseConfig(m_display, options.depthBits, 0);
     if (!config)
         return Error{"surface.driver", "eglChooseConfig",
                      "the driver has no RGBA8 pbuffer for OpenGL ES 2.0 with " +
                          std::to_string(options.depthBits) + " bits of depth",
                      "ask for 24 bits or fewer"};
+    return openWith(*config, options);
+}
+
+Result<void> EglSurface::openWith(EGLConfig config, const SurfaceOptions& options) {
     const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, 2, EGL_NONE};
     eglBindAPI(EGL_OPENGL_ES_API);
-    m_context = eglCreateContext(m_display, *config, EGL_NO_CONTEXT, version);
+    m_context = eglCreateContext(m_display, config, EGL_NO_CONTEXT, version);
     if (m_context == EGL_NO_CONTEXT)
         return lastEglError("eglCreateContext", kInstallEgl);
-    m_pbuffer = createPbuffer(*config, options.srgb);
+    m_pbuffer = createPbuffer(config, options.srgb);
     m_srgbTarget = options.srgb && m_pbuffer != EGL_NO_SURFACE;
     if (m_pbuffer == EGL_NO_SURFACE)
-        m_pbuffer = createPbuffer(*config, false);
+        m_pbuffer = createPbuffer(config, false);
     if (m_pbuffer == EGL_NO_SURFACE)
         return lastEglError("eglCreatePbufferSurface", "choose a smaller size");
-    eglGetConfigAttrib(m_display, *config, EGL_SAMPLES, &m_samples);
+    eglGetConfigAttrib(m_display, config, EGL_SAMPLES, &m_samples);
     return makeReady();
+}
+
+bool EglSurface::hasColors() const {
+    constexpr unsigned kRgba = 0x1908, kUnsignedByte = 0x1401; // As in GLES2/gl2.h.
+    using ReadPixels = void (*)(int, int, int, int, unsigned, unsigned, void*);
+    using GetError = unsigned (*)();
+    unsigned char pixel[4] = {};
+    reinterpret_cast<ReadPixels>(eglFunction("glReadPixels"))(0, 0, 1, 1, kRgba, kUnsignedByte, pixel);
+    return reinterpret_cast<GetError>(eglFunction("glGetError"))() == 0;
+}
+
+void EglSurface::close() {
+    letGo();
+    if (m_pbuffer != EGL_NO_SURFACE)
+        eglDestroySurface(m_display, m_pbuffer);
+    if (m_context != EGL_NO_CONTEXT)
+        eglDestroyContext(m_display, m_context);
+    m_pbuffer = EGL_NO_SURFACE;
+    m_context = EGL_NO_CONTEXT;
 }
 
 EGLSurface EglSurface::createPbuffer(EGLConfig config, bool srgb) const {

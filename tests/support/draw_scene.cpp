@@ -28,6 +28,10 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot) 
 void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot,
               const Capabilities& capabilities) {
     const auto [width, height] = surface.size();
+    drawShot(gl, DrawTarget{surface.framebuffer(), width, height}, shot, capabilities);
+}
+
+void drawShot(const Gl& gl, DrawTarget target, const Shot& shot, const Capabilities& capabilities) {
     Renderer renderer(gl, capabilities,
                       [](LogLevel, std::string_view message) { std::cout << message << "\n"; });
     EXPECT_TRUE(renderer.load(shot.scene));
@@ -35,8 +39,9 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot,
     EXPECT_TRUE(renderer.setReflection(shot.reflection ? &*shot.reflection : nullptr));
     renderer.setLighting(shot.lighting);
     renderer.setLook(shot.look);
-    const Result<void> drawn = renderer.draw(viewpointOf(shot.camera, static_cast<double>(width) / height),
-                                             {surface.framebuffer(), width, height, shot.background});
+    target.background = shot.background;
+    const Result<void> drawn =
+        renderer.draw(viewpointOf(shot.camera, static_cast<double>(target.width) / target.height), target);
     EXPECT_TRUE(drawn) << toString(drawn.error());
     for (const Fallback& fallback : renderer.fallbacks())
         ADD_FAILURE() << toString(fallback.error);

@@ -33,6 +33,9 @@ void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot);
 void drawShot(const Gl& gl, const platform::Surface& surface, const Shot& shot,
               const Capabilities& capabilities);
 
+/// The same for another target, with the shot's background.
+void drawShot(const Gl& gl, DrawTarget target, const Shot& shot, const Capabilities& capabilities);
+
 /// The forms of the text that any picture must look the same with: for any GPU, and what VideoCore IV runs
 /// best. A software rasteriser computes both to the last bit of a float; how inexact VideoCore IV is stands
 /// in tests/qpu/precision.

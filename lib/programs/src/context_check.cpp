@@ -22,19 +22,22 @@ bool answers(const Gl& gl) {
     return size > 0 && gl.GetString(GL_VERSION) != nullptr;
 }
 
-Result<void> checkErrors(const Gl& gl) {
-    bool outOfMemory = false;
+Result<void> checkErrors(const Gl& gl, const Error* refused) {
+    bool outOfMemory = false, invalid = false;
     for (int count = 0; count < kMostErrors; ++count) {
         const GLenum error = gl.GetError();
         if (error == kContextLost)
             return contextLost();
         if (error != GL_NO_ERROR) {
             outOfMemory = outOfMemory || error == GL_OUT_OF_MEMORY;
+            invalid = invalid || error == GL_INVALID_OPERATION;
             continue;
         }
         if (outOfMemory)
             return Error{"renderer.memory", "", "the GPU's memory does not suffice",
                          "use smaller textures, or reserve more memory for the GPU"};
+        if (invalid && refused != nullptr)
+            return *refused;
         return {};
     }
     return contextLost();

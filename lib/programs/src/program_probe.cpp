@@ -2,6 +2,7 @@
 #include "program_probe.h"
 
 #include "expected_pixel.h"
+#include "franken/context_check.h"
 #include "franken/gl_sampling.h"
 
 #include <algorithm>
@@ -92,23 +93,39 @@ ProgramProbe::ProgramProbe(const Gl& gl, TextureReset& reset, Log log, bool ownS
 }
 
 std::vector<bool> ProgramProbe::draw(std::span<const Draw> draws, const DrawTarget* target) {
-    const DrawTarget used = target != nullptr ? *target : ownTarget();
     m_state.invalidate();
     m_state.setBaseline();
     m_state.setDepthTest(true);
     m_state.setCulling(false);
     m_state.setFrontFace(GL_CCW); // A double-sided surface of ours faces the eye, whatever was drawn before.
-    m_gl->BindFramebuffer(GL_FRAMEBUFFER, used.framebuffer);
-    std::vector<bool> drawn;
-    const auto width = static_cast<std::size_t>(std::max(used.width, 1));
-    for (std::size_t begin = 0; begin < draws.size(); begin += width) {
-        const std::vector<bool> row = drawRow(draws.subspan(begin, std::min(width, draws.size() - begin)));
-        drawn.insert(drawn.end(), row.begin(), row.end());
-    }
-    return drawn;
+    if (target != nullptr)
+        if (const auto drawn = drawRows(draws, *target))
+            return *drawn;
+    if (const auto drawn = drawRows(draws, ownTarget()))
+        return *drawn;
+    if (m_log && !std::exchange(m_saidThatItIsBlind, true))
+        m_log(LogLevel::Warning, "no target can be read back: that programs draw is taken on trust");
+    return std::vector<bool>(draws.size(), true);
 }
 
-std::vector<bool> ProgramProbe::drawRow(Row row) {
+std::optional<std::vector<bool>> ProgramProbe::drawRows(Row draws, const DrawTarget& target) {
+    m_gl->BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    std::vector<bool> drawn;
+    bool blind = false; // All rows are drawn all the same: drivers compile for the target.
+    const auto width = static_cast<std::size_t>(std::max(target.width, 1));
+    for (std::size_t begin = 0; begin < draws.size(); begin += width) {
+        const auto row = drawRow(draws.subspan(begin, std::min(width, draws.size() - begin)));
+        blind = blind || !row;
+        if (row)
+            drawn.insert(drawn.end(), row->begin(), row->end());
+    }
+    if (!blind)
+        return drawn;
+    (void)checkErrors(*m_gl); // Of reading what cannot be read: not for the application to find.
+    return std::nullopt;
+}
+
+std::optional<std::vector<bool>> ProgramProbe::drawRow(Row row) {
     std::vector<bool> drawn(row.size(), true);
     const Pixels before = clear(kFirst, row.size());
     m_effect.edit() = kAllOne;
@@ -120,17 +137,15 @@ std::vector<bool> ProgramProbe::drawRow(Row row) {
     if (std::find(drawn.begin(), drawn.end(), false) == drawn.end())
         return drawn;
     const Pixels again = clear(kSecond, row.size());
+    if (again == before)
+        return std::nullopt;
     m_effect.edit() = {};
     for (std::size_t i = 0; i < row.size(); ++i)
         if (!drawn[i])
             drawOne(row[i], static_cast<GLint>(i));
     const Pixels last = read(row.size());
-    for (std::size_t i = 0; i < row.size(); ++i) {
-        const bool blind = again[i] == before[i];
-        drawn[i] = drawn[i] || blind || isRight(row[i], again[i], last[i]);
-        if (blind && m_log && !std::exchange(m_saidThatItIsBlind, true))
-            m_log(LogLevel::Warning, "the target cannot be read back: that programs draw is taken on trust");
-    }
+    for (std::size_t i = 0; i < row.size(); ++i)
+        drawn[i] = drawn[i] || isRight(row[i], again[i], last[i]);
     return drawn;
 }
 
@@ -212,6 +227,7 @@ DrawTarget ProgramProbe::ownTarget() {
         gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.name());
         gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, m_color.name(), 0);
         gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, m_depth.name());
+        m_state.invalidate();
     }
     return {.framebuffer = m_framebuffer.name(), .width = kOwnSize, .height = kOwnSize};
 }

@@ -32,8 +32,9 @@ public:
     ProgramProbe(const Gl& gl, TextureReset& reset, Log log, bool ownSnippets);
 
     /// Draws all of them, side by side, and says of each whether its pixel is right (expected_pixel.h), or
-    /// whether it changed, for snippets of others. Without a target: into one of its own. The target's
-    /// contents are undefined afterwards.
+    /// whether it changed, for snippets of others. Without a target, into one of its own; into that as well
+    /// where the target cannot be read back, as one with several samples a pixel that is not resolved. The
+    /// target's contents are undefined afterwards.
     std::vector<bool> draw(std::span<const Draw> draws, const DrawTarget* target);
 
 private:
@@ -45,7 +46,9 @@ private:
     const ProbeTriangle& triangle();
     const GlTexture& texture(Type type, DrawState::Wraps wraps);
     void bindTextures(const Draw& draw);
-    std::vector<bool> drawRow(Row row);
+    /// Nothing where the target cannot be read back: two clears look the same.
+    std::optional<std::vector<bool>> drawRows(Row draws, const DrawTarget& target);
+    std::optional<std::vector<bool>> drawRow(Row row);
     bool isRight(const Draw& draw, const Pixel& before, const Pixel& after) const;
     Pixels clear(const Float3& color, std::size_t count);
     Pixels read(std::size_t count) const;

@@ -17,8 +17,13 @@ Result<Image> readPixels(const Gl& gl, const DrawTarget& target) {
         return Error{"renderer.target", "framebuffer", "it is not complete, or the context is gone",
                      "attach a colour buffer that the driver draws to"};
     gl.PixelStorei(GL_PACK_ALIGNMENT, 4);
+    if (Result<void> before = checkErrors(gl); !before) // Those of others are not of reading.
+        return before.error();
     gl.ReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-    if (Result<void> checked = checkErrors(gl); !checked)
+    const Error unreadable{"renderer.target", "framebuffer",
+                           "the driver cannot read it: it has several samples a pixel, or no colours",
+                           "resolve it into a framebuffer of one sample a pixel, and read that"};
+    if (Result<void> checked = checkErrors(gl, &unreadable); !checked)
         return checked.error();
     const auto row = [&](int y) {
         return image.rgba.begin() + static_cast<std::ptrdiff_t>(rowBytes) * static_cast<std::ptrdiff_t>(y);

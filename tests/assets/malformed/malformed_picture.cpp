@@ -71,16 +71,35 @@ std::vector<MalformedFile> pngs() {
     };
 }
 
+/// Cut off a byte into the data of a scan, counted from 1.
+std::string cutInScan(const std::string& jpeg, int number) {
+    std::size_t scan = 0;
+    for (int i = 0; i < number; ++i)
+        scan = jpeg.find("\xFF\xDA", scan + 1);
+    return jpeg.substr(0, scan + 12);
+}
+
 std::vector<MalformedFile> jpegs() {
     const std::string sound = jpeg(64, 64);
     const std::size_t frame = sound.find("\xFF\xC0"), scan = sound.find("\xFF\xDA");
     const std::string head = sound.substr(0, frame), rest = sound.substr(frame);
+    const auto beforeScan = [&](const std::string& segment) {
+        return sound.substr(0, scan) + segment + sound.substr(scan);
+    };
     return {
         model("jpeg-magic-only", "\xFF\xD8\xFF"),
         model("jpeg-without-frame", head + "\xFF\xD9"),
         model("jpeg-frame-cut", sound.substr(0, frame + 6)),
         model("jpeg-cut-before-its-scan", sound.substr(0, scan)),
         model("jpeg-cut-in-its-scan", sound.substr(0, scan + 12)),
+        model("jpeg-cut-before-its-end", sound.substr(0, sound.size() - 2)),
+        model("jpeg-cut-in-its-second-scan", cutInScan(jpeg(64, 64, true, 3), 2)),
+        model("jpeg-unknown-marker-after-its-frame", beforeScan(std::string("\xFF\xF0\x00\x02", 4))),
+        model("jpeg-quantiser-9-after-its-frame",
+              beforeScan(std::string("\xFF\xDB\x00\x43\x09", 5) + std::string(64, '\1'))),
+        model("jpeg-huffman-codes-too-many-after-its-frame",
+              beforeScan(std::string("\xFF\xC4\x00\x17\x00\x04", 6) + std::string(15, '\0') + "abcd")),
+        model("jpeg-restarts-of-three-bytes", beforeScan(std::string("\xFF\xDD\x00\x05\0\0\0", 7))),
         model("jpeg-0-wide", replaced(sound, frame + 7, std::string(2, '\0'))),
         model("jpeg-0-high", replaced(sound, frame + 5, std::string(2, '\0'))),
         model("jpeg-65535-x-65535", replaced(sound, frame + 5, "\xFF\xFF\xFF\xFF")),

@@ -14,7 +14,8 @@ using Bytes = std::span<const std::uint8_t>;
 constexpr std::array<std::uint8_t, 8> kPngMagic{0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
 constexpr std::size_t kPngHeaderEnd = 29; ///< Magic, chunk length and name, width, height, five bytes.
 constexpr int kMaxScans = 100;
-constexpr std::size_t kSlack = 1 << 18; ///< Tables, and rows that are rounded up.
+constexpr std::uint8_t kJpegScan = 0xDA, kJpegEnd = 0xD9; ///< Markers.
+constexpr std::size_t kSlack = 1 << 18;                   ///< Tables, and rows that are rounded up.
 
 Error formatError(const std::string& what) {
     return {"image.format", "", what, "save it again as PNG or JPEG"};
@@ -126,40 +127,79 @@ Result<ImageHeader> readFrame(Bytes frame, bool progressive, Bytes encoded, int 
     return header;
 }
 
+// T.81, C.2: no length has more codes than are left by the shorter ones.
+bool areCodesPossible(Bytes counts) {
+    std::size_t codes = 0, most = 1;
+    for (const std::uint8_t count : counts) {
+        codes = 2 * codes + count;
+        most *= 2;
+        if (count > 0 && codes > most)
+            return false;
+    }
+    return true;
+}
+
 // T.81, B.2.4.2: tables of a byte, 16 counts and as many symbols as these add up to. stb_image 2.27 writes
 // past its own table where they are more than 256.
-bool areTablesSound(Bytes tables) {
+bool areHuffmanTablesSound(Bytes tables) {
     constexpr std::size_t kCounts = 17;
     while (!tables.empty()) {
-        if (tables.size() < kCounts)
+        if (tables.size() < kCounts || tables[0] >> 4 > 1 || (tables[0] & 15) > 3)
             return false;
         const Bytes counts = tables.subspan(1, 16);
         const std::size_t symbols = std::accumulate(counts.begin(), counts.end(), std::size_t{0});
-        if (symbols > 256 || symbols > tables.size() - kCounts)
+        if (symbols > 256 || symbols > tables.size() - kCounts || !areCodesPossible(counts))
             return false;
         tables = tables.subspan(kCounts + symbols);
     }
     return true;
 }
 
+// T.81, B.2.4.1: tables of a byte and 64 values, of 8 or 16 bits.
+bool areQuantisersSound(Bytes tables) {
+    while (!tables.empty()) {
+        const std::size_t size = tables[0] >> 4 == 0 ? 65 : 129;
+        if (tables[0] >> 4 > 1 || (tables[0] & 15) > 3 || tables.size() < size)
+            return false;
+        tables = tables.subspan(size);
+    }
+    return true;
+}
+
+// stb_image 2.30 shows what it has of a picture where such a segment is broken, 2.27 refuses: we refuse.
+bool isSegmentSound(std::uint8_t marker, Bytes content) {
+    constexpr std::uint8_t kHuffmanTables = 0xC4, kQuantisers = 0xDB, kLines = 0xDC, kRestarts = 0xDD;
+    if (marker == kHuffmanTables)
+        return areHuffmanTablesSound(content);
+    if (marker == kQuantisers)
+        return areQuantisersSound(content);
+    if (marker == kLines || marker == kRestarts)
+        return content.size() == 2;
+    const bool isFrame = marker >= 0xC0 && marker <= 0xC2; // Baseline, extended, progressive.
+    const bool isApplications = marker >= 0xE0 && marker <= 0xEF;
+    return isFrame || isApplications || marker == kJpegScan || marker == 0xFE; // 0xFE: a comment
+}
+
 Result<ImageHeader> readJpeg(Bytes encoded, int maxSize) {
     Result<ImageHeader> header = formatError("the JPEG has no header");
     JpegReader reader(encoded);
     int frames = 0, scans = 0;
-    for (std::uint8_t marker = reader.marker(); marker != 0 && marker != 0xD9; marker = reader.marker()) {
-        const bool isFrame = marker >= 0xC0 && marker <= 0xC2; // baseline, extended, progressive
+    std::uint8_t marker = reader.marker();
+    for (; marker != 0 && marker != kJpegEnd; marker = reader.marker()) {
         Bytes content;
         if (!reader.segment(content))
             return formatError("the JPEG is cut off inside its headers");
-        if (marker == 0xC4 && !areTablesSound(content))
-            return formatError("the JPEG has a broken Huffman table");
-        if (isFrame && ++frames == 1)
+        if (!isSegmentSound(marker, content))
+            return formatError("the JPEG has a broken table, or a part that is unknown");
+        if (marker >= 0xC0 && marker <= 0xC2 && ++frames == 1)
             header = readFrame(content, marker == 0xC2, encoded, maxSize);
-        if (marker == 0xDA && ++scans > kMaxScans)
+        if (marker == kJpegScan && ++scans > kMaxScans)
             return formatError("the JPEG has more than " + std::to_string(kMaxScans) + " scans");
     }
     if (frames > 1)
         return formatError("the JPEG has more than one picture in it");
+    if (header && (marker != kJpegEnd || scans == 0))
+        return formatError("the JPEG is cut off: it ends in the middle of its picture");
     return header;
 }
 

@@ -43,9 +43,11 @@ struct WarmUpReport {
 /// or to draw is replaced by the next simpler one. vc4's worst failure is silent: the link succeeds, the
 /// registers do not suffice at the draw, and nothing is drawn. Each program therefore draws one cleared
 /// pixel, which is read back; if it is unchanged over two different clear colours, the program failed. Where
-/// the target cannot be read back (two clears look the same), programs are trusted to draw, which is logged
-/// once. A program with an effect of the application's may draw any colour: it only has to change the pixel,
-/// with all values of the effect 1, or else 0.
+/// the target cannot be read back (two clears look the same, as with several samples a pixel that are not
+/// resolved), they draw a second time, to a small target of their own, which is read. Only where that cannot
+/// be read either, programs are trusted to draw, which is logged once. A program with an effect of the
+/// application's may draw any colour: it only has to change the pixel, with all values of the effect 1, or
+/// else 0.
 ///
 /// **Warm-up.** warmUp() hands all programs to the driver, asks for their status afterwards, and draws with
 /// each in each state in which it will be used. A program that get() still has to compile afterwards is a

@@ -15,7 +15,8 @@ Error contextLost();
 bool answers(const Gl& gl);
 
 /// Reads GL's errors, a bounded number of them. Fails with "renderer.memory" for GL_OUT_OF_MEMORY, and with
-/// "renderer.context-lost" where the context has gone or its errors have no end; other errors are bugs.
-Result<void> checkErrors(const Gl& gl);
+/// "renderer.context-lost" where the context has gone or its errors have no end; with `refused`, where it is
+/// given, for GL_INVALID_OPERATION. Other errors are bugs.
+Result<void> checkErrors(const Gl& gl, const Error* refused = nullptr);
 
 } // namespace franken

@@ -234,7 +234,7 @@ public:
 
     /// What the target's area holds, rows from the top down; a picture that is turned comes out turned. Waits
     /// for all that was drawn: not for every frame. Fails with "renderer.target" for a framebuffer that is
-    /// not complete, and as an upload. Samples are not averaged by this: read what was resolved.
+    /// not complete or that the driver cannot read, as one of several samples a pixel, and as an upload.
     Result<Image> readPixels(const DrawTarget& target);
 
     /// For a context that a toolkit draws with as well (Qt, GTK, SDL, ImGui): notes GL's state, all that the

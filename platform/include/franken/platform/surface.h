@@ -243,7 +243,8 @@ struct SurfaceOptions {
 
     /// The minimum of samples a pixel, 0 to kMaxSamples; no multisampling where the driver has no such
     /// target: see samples(). Of Mesa's software drivers only llvmpipe through EGL has multisampling, with 4
-    /// samples; softpipe and OSMesa have none.
+    /// samples (22.3.6; not 25.0.7, whose surfaces with samples hold no colours); softpipe and OSMesa have
+    /// none.
     int samples = 0;
 
     Log log = {}; ///< Receives the name of the driver.
