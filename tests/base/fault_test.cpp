@@ -9,6 +9,9 @@
 #include <csignal>
 #include <thread>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace franken::test {
 namespace {
 
@@ -54,7 +57,7 @@ protected:
                 ASSERT_TRUE(outcome.code == 0 || outcome.code == 1 || killed) << outcome.out << outcome.err;
                 const bool reached = killed || std::stoi(outcome.out) >= call;
                 check(outcome.code == 0);
-                if (!killed) {
+                if (!killed && error != EIO) { // Where nothing can be removed, nothing is.
                     EXPECT_LE(filesThere(), 1u) << "a temporary file is left";
                 }
                 if (!reached)
@@ -151,6 +154,56 @@ TEST_F(FaultTest, AFileIsTheOldOneOrTheNewOne) {
         const std::string now = readText(file());
         EXPECT_TRUE(now == "the new text" || (!succeeded && now == "old")) << now;
     });
+}
+
+// What is there may be a link: where that cannot be told, it is not replaced.
+TEST_F(FaultTest, ALinkStaysALink) {
+    const fs::path target = file().parent_path() / "target";
+    const auto reset = [&] {
+        std::ofstream(target) << "old";
+        fs::remove(file());
+        fs::create_symlink("target", file());
+    };
+    for (const int error : kFaults)
+        for (int call = 1; call < kMostCalls; ++call) {
+            SCOPED_TRACE("call " + std::to_string(call) + ", errno " + std::to_string(error));
+            put("old");
+            reset();
+            const Outcome outcome = act("write disk/kiosk.txt 'the new text'", call, error);
+            ASSERT_TRUE(fs::is_symlink(file()));
+            const std::string now = readText(target);
+            EXPECT_TRUE(now == "the new text" || (outcome.code != 0 && now == "old")) << now;
+            if (outcome.code == 0)
+                break;
+        }
+}
+
+// Somebody else's file keeps its owner, or is not written at all.
+TEST_F(FaultTest, AnOwnerIsKept) {
+    if (geteuid() != 0)
+        GTEST_SKIP() << "only root may give files away: run as root";
+    constexpr uid_t kNobody = 65534;
+    for (const int error : kFaults)
+        for (int call = 1; call < kMostCalls; ++call) {
+            put("old");
+            ASSERT_EQ(chown(file().c_str(), kNobody, kNobody), 0);
+            const Outcome outcome = act("write disk/kiosk.txt 'the new text'", call, error);
+            struct stat status {};
+            ASSERT_EQ(stat(file().c_str(), &status), 0);
+            EXPECT_EQ(status.st_uid, kNobody) << "call " << call << ", errno " << error;
+            if (outcome.code == 0)
+                break;
+        }
+}
+
+TEST_F(FaultTest, AFolderThatDoesNotReachTheDiskIsAnError) {
+    put("old");
+    const Outcome sound = act("sync disk", 0, 0);
+    EXPECT_EQ(sound.code, 0) << sound.out;
+    EXPECT_NE(sound.out.find("syncfs"), std::string::npos) << sound.out;
+    for (const int error : {EIO, ENOSPC, ENOMEM, EMFILE})
+        for (const int call : {1, 2})
+            EXPECT_EQ(act("sync disk", call, error).code, 1) << call;
 }
 
 struct Foreign {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The system calls of lib/base, one of which fails. They are defined in this program, so that the linker
 // takes them instead of the C library's. FRANKEN_FAULT is "N ERRNO": call N and all after it fail with that
-// number, or with ERRNO 0 the process ends there as by a power cut. The calls are counted from countCalls()
+// number, or with ERRNO 0 the process ends there as by a power cut. A file is closed and removed all the same
+// (only a broken disk, EIO, removes nothing), as the kernel does it. The calls are counted from countCalls()
 // on.
 #include "faulty_calls.h"
 
@@ -97,7 +98,7 @@ ssize_t write(int file, const void* bytes, size_t count) {
 
 int fsync(int file) {
     struct stat status {};
-    const bool folder = fstat(file, &status) == 0 && S_ISDIR(status.st_mode);
+    const bool folder = fstatat(file, "", &status, AT_EMPTY_PATH) == 0 && S_ISDIR(status.st_mode);
     return fails(folder ? "fsync/" : "fsync") ? -1 : static_cast<int>(syscall(SYS_fsync, file));
 }
 
@@ -106,6 +107,41 @@ int fchmod(int file, mode_t mode) {
 }
 int flock(int file, int operation) {
     return fails("flock") ? -1 : static_cast<int>(syscall(SYS_flock, file, operation));
+}
+
+int fchown(int file, uid_t owner, gid_t group) {
+    return fails("fchown") ? -1 : static_cast<int>(syscall(SYS_fchown, file, owner, group));
+}
+
+int stat(const char* path, struct stat* status) {
+    return fails("stat") ? -1 : fstatat(AT_FDCWD, path, status, 0);
+}
+
+int lstat(const char* path, struct stat* status) {
+    return fails("lstat") ? -1 : fstatat(AT_FDCWD, path, status, AT_SYMLINK_NOFOLLOW);
+}
+
+int fstat(int file, struct stat* status) {
+    return fails("fstat") ? -1 : fstatat(file, "", status, AT_EMPTY_PATH);
+}
+
+ssize_t readlink(const char* path, char* target, size_t size) {
+    return fails("readlink") ? -1 : readlinkat(AT_FDCWD, path, target, size);
+}
+
+int close(int file) {
+    const bool failed = fails("close");
+    const int closed = static_cast<int>(syscall(SYS_close, file));
+    if (failed)
+        errno = g_error;
+    return failed ? -1 : closed;
+}
+
+int syncfs(int file) { return fails("syncfs") ? -1 : static_cast<int>(syscall(SYS_syncfs, file)); }
+
+int unlinkat(int folder, const char* path, int flags) {
+    const bool failed = fails("unlinkat") && g_error == EIO;
+    return failed ? -1 : static_cast<int>(syscall(SYS_unlinkat, folder, path, flags));
 }
 
 int renameat(int from, const char* old, int to, const char* name) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// faulty_calls append FILE NAME... | read FILE | write FILE TEXT: does that once, under FRANKEN_FAULT. Prints
-// how many system calls it took, what came of it, and which calls they were; exits with 1 where it was told
-// of an error.
+// faulty_calls append FILE NAME... | read FILE | write FILE TEXT | sync FOLDER: does that once, under
+// FRANKEN_FAULT. Prints how many system calls it took, what came of it, and which calls they were; exits with
+// 1 where it was told of an error.
 #include "faulty_calls.h"
 #include "franken/file.h"
 #include "franken/file_writer.h"
@@ -29,6 +29,8 @@ Result<void> act(std::string_view what, int argc, char** argv) {
         return appendToManifest(argv[2], usesOf(argc, argv));
     if (what == "write")
         return writeFile(argv[2], std::string_view(argv[3]));
+    if (what == "sync")
+        return syncFolder(argv[2]);
     if (const auto read = readManifest(argv[2]); !read)
         return read.error();
     return {};

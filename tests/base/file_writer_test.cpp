@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How files are written: all or nothing, through links and into devices, and never over what is not ours. Device nodes
-// are made here: the machine's own are left alone.
+// How files are written: all or nothing, through links and into devices, and never over what is not ours.
+// Device nodes are made here: the machine's own are left alone.
 #include "franken/file.h"
 #include "franken/file_writer.h"
 #include "support/shell.h"
@@ -123,7 +123,8 @@ TEST_F(FileWriterTest, StandardOutputIsWrittenToAsItIs) {
     const Result<void> written = writeFile("/proc/self/fd/1", "text");
     dup2(saved, STDOUT_FILENO);
     close(saved);
-    struct stat before {}, after {};
+    struct stat before {
+    }, after{};
     fstat(file, &before);
     stat(path("captured").c_str(), &after);
     close(file);
@@ -182,7 +183,8 @@ TEST_F(FileWriterTest, ALockKeepsOthersOut) {
         for (int i = 0; i < 25; ++i) {
             const Result<FileLock> lock = FileLock::take(path("counter"));
             const int value = std::stoi(readText(path("counter")));
-            failed += !lock || !writeFile(path("counter"), std::to_string(value + 1), FileWriter::Sync::Later);
+            failed +=
+                !lock || !writeFile(path("counter"), std::to_string(value + 1), FileWriter::Sync::Later);
         }
     };
     std::thread first(countUp), second(countUp);

@@ -19,15 +19,20 @@ TEST(Printable, EscapesWhatSteersATerminal) {
              Shown{"basecolor+sun1", "basecolor+sun1"},
              {"\x1b[31mred", "\\x1b[31mred"},
              {"a\r\n\tb\x7f", "a\\r\\n\\tb\\x7f"},
-             {"\xc2\x9b" "31m", "\\u{009b}31m"},         // U+009B, the eight-bit CSI.
-             {"\x9b" "31m", "\\x9b" "31m"},              // The same byte alone is no UTF-8.
+             {"\xc2\x9b"
+              "31m",
+              "\\u{009b}31m"}, // U+009B, the eight-bit CSI.
+             {"\x9b"
+              "31m",
+              "\\x9b"
+              "31m"},                                       // The same byte alone is no UTF-8.
              {"a\xe2\x80\xaetxt.exe", "a\\u{202e}txt.exe"}, // U+202E turns the direction of writing.
              {"\xe2\x81\xa6\xe2\x80\x8b\xef\xbb\xbf", "\\u{2066}\\u{200b}\\u{feff}"},
-             {"\xf3\xa0\x81\x81", "\\u{e0041}"},         // A tag.
+             {"\xf3\xa0\x81\x81", "\\u{e0041}"}, // A tag.
              {"M\xc3\xbcnchen \xe6\xb0\xb4 \xf0\x9f\x8c\x8a", "M\xc3\xbcnchen \xe6\xb0\xb4 \xf0\x9f\x8c\x8a"},
-             {"\xc0\xaf", "\\xc0\\xaf"},                 // Overlong.
-             {"\xed\xa0\x80", "\\xed\\xa0\\x80"},        // A surrogate.
-             {"\xe2\x80", "\\xe2\\x80"},                 // Cut.
+             {"\xc0\xaf", "\\xc0\\xaf"},          // Overlong.
+             {"\xed\xa0\x80", "\\xed\\xa0\\x80"}, // A surrogate.
+             {"\xe2\x80", "\\xe2\\x80"},          // Cut.
              {std::string_view("\0", 1), "\\x00"},
          })
         EXPECT_EQ(printable(text), shown);
@@ -44,8 +49,8 @@ struct Meant {
 };
 
 TEST(Nearest, OffersWhatWasProbablyMeant) {
-    const std::vector<std::string_view> words = {"sun0",   "sun1",  "sun2",      "sun3", "sun4", "lamp0",
-                                                 "lamp1",  "lamp4", "normal",    "list",
+    const std::vector<std::string_view> words = {"sun0",   "sun1",  "sun2",      "sun3",   "sun4",
+                                                 "lamp0",  "lamp1", "lamp4",     "normal", "list",
                                                  "linear", "sky",   "basecolor", "--with"};
     for (const auto& [typed, meant] : {
              Meant{"sun5", "sun4"},

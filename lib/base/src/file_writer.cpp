@@ -69,21 +69,27 @@ int retried(Call call) {
 }
 
 /// Where the file is that the path's links lead to, whether it exists or not. Nothing for what /proc links to
-/// (/dev/stdout): such a link names an open file, not a place.
-std::optional<fs::path> placeOf(fs::path path) {
+/// (/dev/stdout): such a link names an open file, not a place. `error` is set where that cannot be told: what
+/// is there might be a link, which must not be replaced.
+std::optional<fs::path> placeOf(fs::path path, std::error_code& error) {
     constexpr int kMaxLinks = 40; // As the kernel has it.
-    std::error_code error;
     for (int links = 0; links <= kMaxLinks; ++links) {
         const fs::path folder = fs::canonical(folderOf(path), error);
         if (error)
             return path;
         if (const auto root = ++folder.begin(); root != folder.end() && *root == "proc")
             return std::nullopt;
-        if (!fs::is_symlink(folder / path.filename(), error))
+        const fs::file_type type = fs::symlink_status(folder / path.filename(), error).type();
+        if (type == fs::file_type::not_found)
+            error.clear();
+        if (error || type != fs::file_type::symlink)
             return folder / path.filename();
         const fs::path target = fs::read_symlink(folder / path.filename(), error);
+        if (error)
+            return path;
         path = folder / target;
     }
+    error = std::make_error_code(std::errc::too_many_symbolic_link_levels);
     return path;
 }
 
@@ -157,7 +163,10 @@ struct FileWriter::State {
             return errno = EISDIR, false;
         if (path.filename().empty())
             return errno = ENOENT, false;
-        const std::optional<fs::path> place = placeOf(path);
+        std::error_code error;
+        const std::optional<fs::path> place = placeOf(path, error);
+        if (error)
+            return errno = error.value(), false;
         if (!place || (exists && !S_ISREG(old.st_mode)))
             return openAsItIs();
         return openBeside(*place, exists ? &old : nullptr);
@@ -228,7 +237,7 @@ Result<void> writeFile(const fs::path& path, std::span<const std::uint8_t> bytes
 
 Result<void> checkNotInput(const fs::path& output, std::span<const fs::path> inputs) {
     std::error_code ignored;
-    const fs::path folder = folderOf(placeOf(output).value_or(output));
+    const fs::path folder = folderOf(placeOf(output, ignored).value_or(output));
     for (const fs::path& input : inputs) {
         const bool same = fs::is_regular_file(input, ignored) && fs::equivalent(input, output, ignored);
         const bool inside = fs::is_directory(input, ignored) && fs::exists(output, ignored) &&
@@ -265,7 +274,10 @@ Result<FileLock> FileLock::take(const fs::path& file) {
                          (error == EWOULDBLOCK ? "another process holds the lock" : std::strerror(error)),
                      error == EWOULDBLOCK ? "wait for the other process" : remedyFor(error)};
     };
-    const fs::path folder = folderOf(placeOf(file).value_or(file));
+    std::error_code error;
+    const fs::path folder = folderOf(placeOf(file, error).value_or(file));
+    if (error)
+        return failed(error.value());
     FileLock lock(retried([&] { return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
     if (lock.m_folder < 0)
         return failed(errno);
