@@ -211,7 +211,7 @@ void addLoading(CLI::App& app, Options& options) {
 
 void checkTogether(const Options& options) {
     const std::filesystem::path inputs[] = {options.model, options.skybox, options.heightMap,
-                                            options.manifest};
+                                            options.manifest, options.snippets};
     for (int number = 0; number < std::max(options.turntable, 1); ++number)
         if (const Result<void> checked = checkNotInput(outputOf(options, number), inputs); !checked)
             throw CLI::ValidationError("--output-file", checked.error().what);
@@ -227,6 +227,8 @@ void addScene(CLI::App& app, Options& options) {
            "--camera", options.camera,
            "One of the file's cameras, by its name, its node's name, or its index in the file [the first]")
         ->type_name("NAME|INDEX");
+    app.add_flag("--frame", options.frame, "Show all of the model, whatever cameras the file has")
+        ->excludes("--camera");
     app.add_option("--variant", options.variant,
                    "One of the file's variants (KHR_materials_variants), by its name")
         ->type_name("NAME");

@@ -40,6 +40,7 @@ struct Options {
         pick;            ///< The pixel of which to say what it shows; x, y from the top left.
     std::string variant; ///< Empty for none.
     std::string camera;  ///< A name or an index; empty for the first.
+    bool frame = false;  ///< All of the model, instead of through one of the file's cameras.
     std::vector<franken::Sun> suns;
     std::optional<franken::Float3> ambient;
     std::filesystem::path skybox; ///< Empty for none.

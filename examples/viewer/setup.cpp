@@ -42,8 +42,10 @@ void addDefaultLight(Lighting& lighting) {
 
 Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
     const double aspect = static_cast<double>(options.size.width) / options.size.height;
+    if (options.frame || (options.camera.empty() && scene.cameras.empty()))
+        return framingCamera(scene.bounds(), aspect);
     if (options.camera.empty())
-        return scene.cameras.empty() ? framingCamera(scene.bounds(), aspect) : scene.cameras.front();
+        return scene.cameras.front();
     for (const auto name : {&Camera::name, &Camera::node})
         for (const Camera& camera : scene.cameras)
             if (camera.*name == options.camera)

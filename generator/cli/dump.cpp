@@ -123,6 +123,12 @@ Result<void> writeAs(const DumpOptions& options, const Permutations& permutation
     return {};
 }
 
+// What names the output as a whole; empty for standard output.
+fs::path targetOf(const DumpOptions& options) {
+    const bool files = options.chosen() == DumpFormat::Files;
+    return files ? fs::path(options.output) / "manifest.json" : fs::path(options.output);
+}
+
 // What the output changes with: the list of names, and this program, which has the snippets in it.
 Result<void> writeDepfile(const DumpOptions& options) {
     if (options.depfile.empty())
@@ -133,14 +139,38 @@ Result<void> writeDepfile(const DumpOptions& options) {
     std::error_code unknown;
     if (const fs::path self = fs::read_symlink("/proc/self/exe", unknown); !unknown)
         sources.push_back(self.string());
-    const bool files = options.chosen() == DumpFormat::Files;
-    const fs::path target = files ? fs::path(options.output) / "manifest.json" : fs::path(options.output);
-    return writeFile(options.depfile, depfileText(target.string(), sources));
+    return writeFile(options.depfile, depfileText(targetOf(options).string(), sources));
+}
+
+// A folder gets files of these kinds; which ones is known only after composing.
+bool isOutput(const DumpOptions& options, const fs::path& file) {
+    if (options.chosen() != DumpFormat::Files)
+        return false;
+    const std::string extension = file.extension().string();
+    return extension == ".vert" || extension == ".frag" || extension == ".shader_test";
+}
+
+Result<void> checkOutputs(const DumpOptions& options) {
+    const fs::path manifest = options.selection.manifest == "-" ? "" : options.selection.manifest;
+    std::vector<fs::path> outputs = {targetOf(options), options.depfile};
+    if (isOutput(options, manifest))
+        outputs.push_back(fs::path(options.output) / manifest.filename());
+    for (const fs::path& output : outputs)
+        if (const Result<void> checked = checkNotInput(output, {{manifest}}); !checked)
+            return checked;
+    std::error_code unknown;
+    if (!options.depfile.empty() &&
+        fs::weakly_canonical(options.depfile, unknown) == fs::weakly_canonical(targetOf(options), unknown))
+        return Error{"file.overwrite", options.depfile, "the depfile would overwrite the output",
+                     "choose another file for one of them"};
+    return {};
 }
 
 } // namespace
 
 ExitCode run(const DumpOptions& options, Console& console) {
+    if (const Result<void> checked = checkOutputs(options); !checked)
+        return console.error(checked.error()), ExitCode::Usage;
     const auto permutations = select(options.selection, console);
     if (!permutations)
         return ExitCode::Refused;

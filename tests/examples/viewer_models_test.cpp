@@ -229,6 +229,35 @@ TEST_F(ViewerModels, CamerasGoByTheFilesNumbersAndByTheirNodes) {
     EXPECT_NE(outcome.err.find("0 A (node near)"), std::string::npos) << outcome.err;
 }
 
+// A file's camera may cut off a part of the model, as here all of it: --frame shows the model all the same.
+TEST_F(ViewerModels, FramingShowsAllOfTheModelAndNotWhatTheFilesCameraSees) {
+    Model model;
+    const int green = model.unlit({0, 1, 0, 1});
+    for (const double x : {-8, 8})
+        model.addNode({{"mesh", model.quad(green)}, {"translation", {x, 0, 0}}});
+    const auto isGreen = [&](int x) {
+        for (int y = 0; y < 64; ++y)
+            if (pixel(x, y) == kGreen)
+                return true;
+        return false;
+    };
+    const auto greenColumns = [&] {
+        std::vector<int> columns;
+        for (int x = 0; x < 64; ++x)
+            if (isGreen(x))
+                columns.push_back(x);
+        return columns;
+    };
+    ASSERT_EQ(draw(model.bytes(false)).code, 0);
+    EXPECT_TRUE(greenColumns().empty()) << "the file's camera looks between the two";
+    ASSERT_EQ(draw(model.bytes(false), "--frame").code, 0);
+    const std::vector<int> columns = greenColumns();
+    ASSERT_FALSE(columns.empty());
+    EXPECT_LT(columns.front(), 20);
+    EXPECT_GT(columns.back(), 43);
+    EXPECT_EQ(draw(model.bytes(false), "--frame --camera 0").code, 2);
+}
+
 TEST_F(ViewerModels, NothingToDrawIsTheFilesFault) {
     for (const char* json :
          {R"({"asset": {"version": "2.0"}})", R"({"asset": {"version": "2.0"}, "scenes": [{}]})",

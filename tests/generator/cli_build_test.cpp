@@ -106,6 +106,28 @@ TEST_F(CliBuild, WritesDependencies) {
     }
 }
 
+TEST_F(CliBuild, NoOutputOverwritesTheListOfNames) {
+    for (const char* name : {"warm.txt", "made/manifest.json", "made/sun1.vert", "made/a.shader_test"}) {
+        fs::create_directories(path("made"));
+        std::ofstream(path(name)) << "sun1\n";
+        const std::string from = "dump --manifest " + std::string(name) + " ";
+        const std::string file = "./" + std::string(name);
+        for (const std::string& arguments :
+             {from + "--format json -o " + file, from + "--format c -o " + file,
+              from + "-o other --depfile " + file}) {
+            const Outcome outcome = run(arguments);
+            EXPECT_EQ(outcome.code, 2) << arguments;
+            EXPECT_NE(outcome.err.find("which is an input"), std::string::npos) << outcome.err;
+        }
+        const bool inside = file.find("made/") != std::string::npos;
+        EXPECT_EQ(run(from + "-o made").code, inside ? 2 : 0) << name;
+        EXPECT_EQ(read(name), "sun1\n");
+        fs::remove_all(path("made"));
+    }
+    EXPECT_EQ(run("dump sun1 --format c -o a.h --depfile a.h").code, 2);
+    EXPECT_FALSE(fs::exists(path("a.h")));
+}
+
 TEST_F(CliBuild, ComparesAFolderWithToday) {
     ASSERT_EQ(run("dump sun1 basecolor+sun2 sky -o set").code, 0);
     Outcome outcome = run("diff --against set");
