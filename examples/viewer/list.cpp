@@ -46,6 +46,9 @@ std::string listOf(const Scene& scene) {
         list += line("light", i, scene.lights[i].name, kindOf(scene.lights[i]));
     for (std::size_t i = 0; i < scene.variants.size(); ++i)
         list += line("variant", i, scene.variants[i]);
+    for (const Animation& animation : scene.animations)
+        list += line("animation", static_cast<std::size_t>(animation.index), animation.name,
+                     std::to_string(animation.duration) + " s");
     for (std::size_t i = 0; i < scene.materials.size(); ++i)
         list += line("material", i, scene.materials[i].name);
     for (std::size_t i = 0; i < scene.images.size(); ++i)

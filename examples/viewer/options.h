@@ -39,6 +39,8 @@ struct Options {
     std::optional<std::array<int, 2>>
         pick;            ///< The pixel of which to say what it shows; x, y from the top left.
     std::string variant; ///< Empty for none.
+    std::string animation; ///< A name or an index; empty for none: the file at rest.
+    double time = 0;       ///< Of the animation, seconds.
     std::string camera;  ///< A name or an index; empty for the first.
     bool frame = false;  ///< All of the model, instead of through one of the file's cameras.
     std::vector<franken::Sun> suns;

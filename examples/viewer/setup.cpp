@@ -4,6 +4,7 @@
 #include "franken/displacement.h"
 #include "franken/exposure.h"
 #include "franken/file.h"
+#include "franken/pose.h"
 
 #include <algorithm>
 #include <array>
@@ -58,6 +59,28 @@ Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
             if (camera.index == index)
                 return camera;
     return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
+}
+
+Result<void> applyAnimation(Scene& scene, const Options& options) {
+    if (options.animation.empty())
+        return {};
+    const auto isMeant = [&](const Animation& animation) {
+        return animation.name == options.animation || std::to_string(animation.index) == options.animation;
+    };
+    const auto found = std::find_if(scene.animations.begin(), scene.animations.end(), isMeant);
+    if (found == scene.animations.end()) {
+        std::string known;
+        for (const Animation& animation : scene.animations)
+            known += (known.empty() ? "choose one of " : ", ") + std::to_string(animation.index) + " " +
+                     animation.name;
+        return Error{"viewer.animation", options.animation, "the file has no such animation",
+                     known.empty() ? "leave the option out: the file has no animations" : known};
+    }
+    Pose pose;
+    const int index = static_cast<int>(found - scene.animations.begin());
+    if (Result<void> sampled = sample(scene, index, options.time, pose); !sampled)
+        return sampled;
+    return applyPose(scene, pose);
 }
 
 Result<void> applyHeights(Scene& scene, const Options& options) {

@@ -13,6 +13,9 @@
 /// "viewer.camera".
 franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const Options& options);
 
+/// Moves the scene to the options' animation and time, if there is one. Fails with "viewer.animation".
+franken::Result<void> applyAnimation(franken::Scene& scene, const Options& options);
+
 /// Moves the scene's vertices by the options' height map, if there is one. Fails with "viewer.heights" where
 /// it cannot be read, and as decodeImage() and displace() do.
 franken::Result<void> applyHeights(franken::Scene& scene, const Options& options);

@@ -22,9 +22,12 @@ void Box::add(const Box& box, const glm::dmat4& world) {
 
 Box Scene::bounds() const {
     Box bounds;
-    for (const Instance& instance : instances)
+    for (const Instance& instance : instances) {
+        if (!instance.visible)
+            continue;
         for (const Primitive& primitive : meshes[static_cast<std::size_t>(instance.mesh)].primitives)
             bounds.add(primitive.bounds, instance.world);
+    }
     return bounds;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/scene_check.h"
 
+#include "animation/animation_check.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
@@ -49,8 +51,13 @@ public:
         each("instances", m_scene.instances, [&](const Instance& instance, const std::string& where) {
             expect(isIndex(instance.mesh, m_scene.meshes.size()), where, ".mesh", "there is no such mesh");
             expect(isFinite(instance.world), where, ".world", "its numbers must be finite");
+            expectNode(instance.nodeIndex, where);
         });
-        return std::move(m_fault);
+        each("cameras", m_scene.cameras,
+             [&](const Camera& camera, const std::string& where) { expectNode(camera.nodeIndex, where); });
+        each("lights", m_scene.lights,
+             [&](const Light& light, const std::string& where) { expectNode(light.nodeIndex, where); });
+        return m_fault ? checkMotion(m_scene) : std::move(m_fault);
     }
 
     Result<void> run(const Material& material) {
@@ -68,6 +75,11 @@ private:
     void expect(bool holds, const std::string& where, const char* member, const char* what) {
         if (!holds && m_fault)
             m_fault = Error{"scene.data", where + member, what, "see scene.h for the values of each member"};
+    }
+
+    void expectNode(int node, const std::string& where) {
+        expect(node == kNone || isIndex(node, m_scene.nodes.size()), where, ".nodeIndex",
+               "there is no such node");
     }
 
     void add(const Image& image, const std::string& where) {

@@ -9,11 +9,27 @@
 namespace franken {
 namespace {
 
+/// Where a pose has the drawable's node; null where nothing poses it.
+const NodeWorld* nodeOf(const Place& place, const Drawable& drawable) {
+    return place.nodes.empty() || drawable.nodeIndex == kNone
+               ? nullptr
+               : &place.nodes[static_cast<std::size_t>(drawable.nodeIndex)];
+}
+
+bool isVisible(const Place& place, const Drawable& drawable) {
+    const NodeWorld* const node = nodeOf(place, drawable);
+    return place.visible && (node == nullptr ? drawable.visible : node->visible);
+}
+
 /// What follows from where the object stands, whatever the camera.
 void settle(Object& object, const glm::dmat3& skyFromWorld) {
-    const glm::dmat4 world = object.place->world * object.drawable->world;
+    const NodeWorld* const node = nodeOf(*object.place, *object.drawable);
+    const glm::dmat4 posed = node == nullptr ? object.drawable->world : node->matrix * object.drawable->offset;
+    const glm::dmat4 world = object.place->world * posed;
+    const bool isMirrored =
+        node == nullptr ? object.drawable->mirrored : glm::determinant(glm::dmat3(posed)) < 0;
     const bool isTurnedInsideOut = glm::determinant(glm::dmat3(object.place->world)) < 0;
-    object.mirrored = object.drawable->mirrored != isTurnedInsideOut;
+    object.mirrored = isMirrored != isTurnedInsideOut;
     object.bounds = boundsOf(object.primitive->bounds, world);
     object.position = glm::dvec3(world[3]);
     placeObject(object.block, world, object.mirrored, skyFromWorld);
@@ -80,7 +96,7 @@ void DrawList::sort() {
 /// Whether the object is visible; a visible one is placed, with the next serial.
 bool DrawList::placeOne(Object& object, const Frustum& frustum, const glm::dmat4& skyToClip) {
     const Place& place = *object.place;
-    object.visible = place.visible && object.material->program;
+    object.visible = isVisible(place, *object.drawable) && object.material->program;
     if (!object.visible)
         return false;
     if (!object.isPlaced || object.movements != place.movements)

@@ -33,8 +33,12 @@ public:
         for (const Instance& instance : m_scene.instances) {
             const auto mesh = static_cast<std::size_t>(instance.mesh);
             for (std::size_t i = 0; i < m_scene.meshes[mesh].primitives.size(); ++i)
-                m_gpu.drawables.push_back(
-                    {.primitive = first[mesh] + i, .world = instance.world, .mirrored = instance.mirrored});
+                m_gpu.drawables.push_back({.primitive = first[mesh] + i,
+                                           .world = instance.world,
+                                           .mirrored = instance.mirrored,
+                                           .visible = instance.visible,
+                                           .nodeIndex = instance.nodeIndex,
+                                           .offset = instance.offset});
         }
         return std::move(m_gpu);
     }
@@ -131,6 +135,7 @@ Outline outlineOf(const Scene& scene) {
     outline.scene.textures = scene.textures;
     outline.scene.materials = scene.materials;
     outline.scene.variants = scene.variants;
+    outline.scene.nodes = scene.nodes;
     for (const Instance& instance : scene.instances)
         outline.nodes.push_back(instance.name);
     return outline;

@@ -44,8 +44,11 @@ struct GpuPrimitive {
 /// A primitive of an instance.
 struct Drawable {
     std::size_t primitive; ///< Of GpuScene.
-    glm::dmat4 world;      ///< From the object to where the model stands.
+    glm::dmat4 world;      ///< From the object to where the model stands, at rest.
     bool mirrored;
+    bool visible;     ///< At rest.
+    int nodeIndex;    ///< Of the scene; kNone for what no pose moves.
+    glm::dmat4 offset; ///< From the object to its node.
 };
 
 /// A scene's GL objects and draws.
@@ -62,7 +65,7 @@ struct GpuScene {
 
 /// What stays of a scene when its pixels and vertices are on the GPU.
 struct Outline {
-    Scene scene; ///< Textures, materials and variants alone.
+    Scene scene; ///< Textures, materials, variants and nodes alone.
     std::vector<std::string> nodes;
 };
 Outline outlineOf(const Scene& scene);

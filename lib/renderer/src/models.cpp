@@ -32,6 +32,9 @@ bool Models::isNeeded(const Model& model) const {
 
 Result<void> Models::upload(Model& model, const Scene& scene) {
     model.outline = outlineOf(scene);
+    for (Place* place : model.places)
+        if (place->nodes.size() != scene.nodes.size())
+            place->nodes.clear(); // The source reads another file now.
     for (const auto& [index, material] : model.changedMaterials)
         if (static_cast<std::size_t>(index) < model.outline.scene.materials.size() &&
             check(model.outline.scene, material))

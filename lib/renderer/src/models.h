@@ -24,8 +24,9 @@ struct Place {
     Model* model;
     glm::dmat4 world{1.0};
     bool visible = true;
-    int variant = kNone;                                  ///< Of the scene.
-    unsigned movements = 0;                               ///< How often `world` has changed.
+    int variant = kNone;               ///< Of the scene.
+    std::vector<NodeWorld> nodes = {}; ///< In the model, by Scene::nodes; empty: at rest.
+    unsigned movements = 0;            ///< How often `world` and `nodes` have changed.
     std::optional<UniformBlock<EffectBlock>> effect = {}; ///< Instead of the frame's.
 };
 
@@ -65,6 +66,7 @@ public:
     Result<void> setWorld(PlaceId id, const glm::dmat4& world);
     Result<void> setVisible(PlaceId id, bool visible);
     Result<void> setEffectValues(PlaceId id, std::span<const Float4> values);
+    Result<void> setPose(PlaceId id, const Pose& pose);
 
     Result<void> setVariant(ModelId id, std::string_view name);
     Result<void> setVariant(PlaceId id, std::string_view name);
@@ -110,6 +112,7 @@ private:
     std::vector<std::unique_ptr<Model>> m_models;
     std::unordered_map<PlaceId, Place> m_places; ///< Whose addresses stay.
     std::vector<Model*> m_shown, m_wanted;       ///< Neither is evicted; `m_wanted` is about to be shown.
+    std::vector<NodeWorld> m_nextNodes; ///< Of setPose().
     unsigned m_revision = 0, m_movements = 0;
 };
 

@@ -62,6 +62,22 @@ Result<void> Models::setWorld(PlaceId id, const glm::dmat4& world) {
     return {};
 }
 
+Result<void> Models::setPose(PlaceId id, const Pose& pose) {
+    Place* const place = find(id);
+    if (place == nullptr)
+        return unknownPlace();
+    const Scene& outline = place->model->outline.scene;
+    if (Result<void> checked = check(outline, pose); !checked)
+        return checked;
+    worldsOf(outline, pose, m_nextNodes);
+    if (place->nodes == m_nextNodes)
+        return {};
+    place->nodes = m_nextNodes;
+    ++place->movements;
+    ++m_movements;
+    return {};
+}
+
 Result<void> Models::setVisible(PlaceId id, bool visible) {
     Place* const place = find(id);
     if (place == nullptr)

@@ -167,6 +167,10 @@ Result<void> Renderer::setWorld(PlaceId place, const glm::dmat4& world) {
     return m_state->note("setWorld()", [&] { return m_state->models.setWorld(place, world); });
 }
 
+Result<void> Renderer::setPose(PlaceId place, const Pose& pose) {
+    return m_state->note("setPose()", [&] { return m_state->models.setPose(place, pose); });
+}
+
 Result<void> Renderer::setVisible(PlaceId place, bool visible) {
     return m_state->note("setVisible()", [&] { return m_state->models.setVisible(place, visible); });
 }

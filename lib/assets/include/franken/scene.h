@@ -3,7 +3,6 @@
 
 #include <array>
 #include <concepts>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -18,7 +17,9 @@
 #include <glm/vec4.hpp>
 
 #include "franken/api.h"
+#include "franken/animation.h"
 #include "franken/image.h"
+#include "franken/index.h"
 #include "franken/sampling.h"
 
 /// What a glTF file says, as plain data on the CPU: no GL, no file format, nothing left to resolve. All
@@ -26,14 +27,6 @@
 /// lux and candela; +Y up, right-handed; colours are linear. Vertices are floats; where things stand in the
 /// world is double, so that a model may stand anywhere on a globe.
 namespace FRANKEN_API franken {
-
-/// The index of a thing that is absent.
-inline constexpr int kNone = -1;
-
-/// Whether a number is an index into an array of that size.
-constexpr bool isIndex(int index, std::size_t size) {
-    return index >= 0 && static_cast<std::size_t>(index) < size;
-}
 
 /// An image and how it is sampled. Filters that the file leaves open are the best that GLES2 has.
 struct Texture {
@@ -139,6 +132,10 @@ struct Instance {
     glm::dmat4 world{1.0}; ///< Object to world; affine. For a skinned mesh, whose pose is baked in: only
                            ///< where its first joint is.
     bool mirrored = false; ///< The determinant is negative: front faces wind clockwise.
+    bool visible = true;   ///< Neither the node nor one above it is hidden (KHR_node_visibility).
+    int nodeIndex = kNone; ///< Index into Scene::nodes; kNone for what no pose moves.
+    /// From the instance to its node: the identity, but for the instances of EXT_mesh_gpu_instancing.
+    glm::dmat4 offset{1.0};
 };
 
 /// Looks along -Z of `world`, with +Y up; the view matrix is the inverse of `world`.
@@ -156,6 +153,7 @@ struct Camera {
     float znear = 0.1f;       ///< Metres; > 0 for a perspective camera, >= 0 for an orthographic one.
     float zfar = 0.0f;        ///< Metres, > znear; 0 for a perspective camera: infinite.
     glm::dmat4 world{1.0};
+    int nodeIndex = kNone; ///< Index into Scene::nodes; kNone for one that no pose moves.
 };
 
 /// KHR_lights_punctual, placed in the world.
@@ -172,6 +170,7 @@ struct Light {
     glm::dvec3 position{0.0};         ///< World; point and spot.
     glm::vec3 direction{0.0f, 0.0f,
                         -1.0f}; ///< World, unit length, where the light travels; directional and spot.
+    int nodeIndex = kNone;      ///< Index into Scene::nodes; kNone for one that no pose moves.
 };
 
 /// Everything that one file draws.
@@ -185,8 +184,11 @@ struct Scene {
     std::vector<Camera> cameras;     ///< In the order of the file's array; one for each node that has one.
     std::vector<Light> lights;       ///< In the order of the node tree.
     std::vector<std::string> variants; ///< KHR_materials_variants: other materials to choose, by name.
+    std::vector<Node> nodes; ///< All of the file, each after its parent. What stands above is as they are at
+                             ///< rest; pose.h moves it.
+    std::vector<Animation> animations; ///< In the order of the file's array; faulty ones are left out.
 
-    /// Of all instances, in the world; empty where nothing is drawn.
+    /// Of all visible instances, in the world; empty where nothing is drawn.
     Box bounds() const;
 };
 

@@ -12,6 +12,7 @@ namespace franken::gltf {
 /// A file that has passed the gate.
 struct Document : Source {
     tinygltf::Model model;                    ///< Its own buffers and images are empty shells.
+    Json animations = Json::array();          ///< Which tinygltf does not see.
     std::vector<std::size_t> accessorStrides; ///< By accessor; from validateData().
 
     bool uses(std::string_view extension) const;

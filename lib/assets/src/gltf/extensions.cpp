@@ -7,14 +7,19 @@
 namespace franken::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 6> kKnown{"KHR_lights_punctual",   "KHR_materials_emissive_strength",
-                                                 "KHR_materials_unlit",   "KHR_materials_variants",
-                                                 "KHR_mesh_quantization", "KHR_texture_transform"};
+constexpr std::array<std::string_view, 8> kKnown{"KHR_animation_pointer",
+                                                 "KHR_lights_punctual",
+                                                 "KHR_materials_emissive_strength",
+                                                 "KHR_materials_unlit",
+                                                 "KHR_materials_variants",
+                                                 "KHR_mesh_quantization",
+                                                 "KHR_node_visibility",
+                                                 "KHR_texture_transform"};
 
 // What a picture of the file at rest can do without, even where the file says that it requires it: words
 // about the model, what moves, sounds or answers, other looks to choose from, and lobes on top of a surface
 // that is there without them.
-constexpr std::array<std::string_view, 38> kHarmless{"ADOBE_materials_clearcoat_specular",
+constexpr std::array<std::string_view, 37> kHarmless{"ADOBE_materials_clearcoat_specular",
                                                      "ADOBE_materials_clearcoat_tint",
                                                      "AGI_articulations",
                                                      "AGI_stk_metadata",
@@ -27,7 +32,6 @@ constexpr std::array<std::string_view, 38> kHarmless{"ADOBE_materials_clearcoat_
                                                      "EXT_structural_metadata",
                                                      "FB_geometry_metadata",
                                                      "GODOT_single_root",
-                                                     "KHR_animation_pointer",
                                                      "KHR_audio",
                                                      "KHR_audio_emitter",
                                                      "KHR_implicit_shapes",

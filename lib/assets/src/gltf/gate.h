@@ -23,8 +23,8 @@ bool checkJson(Source& source);
 bool readJson(Source& source, Json& root);
 
 /// Checks that all members that the loader reads are there where glTF requires them, and have the type, the
-/// range and the array length that glTF gives them. All others are removed from `root`, extras, animations
-/// and unknown extensions among them, so that the parser sees nothing that was not checked, and never drops
+/// range and the array length that glTF gives them. All others are removed from `root`, extras and
+/// unknown extensions among them, so that the parser sees nothing that was not checked, and never drops
 /// anything in silence. A null counts as absent. A faulty element of an array that something drawn need not
 /// use becomes an empty one, and its fault is deferred. Recursion is bounded by the depth of the schema, not
 /// of the file.

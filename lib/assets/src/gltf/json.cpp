@@ -202,8 +202,6 @@ bool readJson(Source& source, Json& root) {
     if (!parseText(source, root) || !checkVersion(source, root) || !checkExtensions(source, root))
         return false;
     makeIntegers(root);
-    if (!member(root, "animations").empty())
-        source.warn(kLeftOut, "/animations", "animations are not played; the file is shown at rest");
     warnOfExtents(source, root);
     return checkSchema(source, root) && checkRest(source, root);
 }

@@ -4,6 +4,7 @@
 #include <new>
 
 #include "franken/file.h"
+#include "gltf/animation.h"
 #include "gltf/material.h"
 #include "gltf/node.h"
 
@@ -25,11 +26,13 @@ namespace {
 
 bool load(Document& source, const std::filesystem::path* folder, Scene& scene) {
     Json root;
+    NodePlaces places;
     if (!source.proceed(kReadFile, "JSON") || !source.charge(source.bytes.size(), 1, "") ||
         !openContainer(source) || !readJson(source, root) || !parseModel(source, root) ||
         !validateData(source) || !validateTree(source) || !source.proceed(kReadJson, "files") ||
         !loadResources(source, folder) || !readMaterials(source, materialsInScene(source), scene) ||
-        !readNodes(source, scene) || !source.proceed(1, "done"))
+        !readSkeleton(source, scene, places) || !readNodes(source, places, scene) ||
+        !readAnimations(source, places, scene) || !source.proceed(1, "done"))
         return false;
     source.warnOfUnneeded();
     return true;

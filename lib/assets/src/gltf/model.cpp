@@ -128,6 +128,9 @@ bool parseModel(Document& source, Json& root) {
     if (!chargeObjects(source, root) || !takeResources(source, root))
         return false;
     takeStrides(source, root);
+    if (root.contains("animations"))
+        source.animations = std::move(root["animations"]);
+    root.erase("animations");
     nameVariants(root);
     const int placeholder = addPlaceholderView(root);
     const std::string text = root.dump(-1, ' ', false, Json::error_handler_t::replace);

@@ -6,7 +6,6 @@
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
-#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
@@ -17,53 +16,6 @@
 
 namespace franken::gltf {
 namespace {
-
-glm::dmat4 localMatrix(const tinygltf::Node& node) {
-    if (!node.matrix.empty())
-        return glm::make_mat4(node.matrix.data());
-    glm::dmat4 matrix(1.0);
-    if (!node.rotation.empty()) {
-        const glm::dquat rotation(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-        const double length = glm::length(rotation);
-        if (length > 0.0)
-            matrix = glm::mat4_cast(rotation / length);
-    }
-    for (int i = 0; i < 3 && !node.scale.empty(); ++i)
-        matrix[i] *= node.scale[at(i)];
-    for (int i = 0; i < 3 && !node.translation.empty(); ++i)
-        matrix[3][i] = node.translation[at(i)];
-    return matrix;
-}
-
-// The nodes below `roots`, each after its parent, first children first, and each once, for there are
-// exporters that list a child among the scene's nodes.
-std::vector<int> depthFirst(const tinygltf::Model& model, const std::vector<int>& roots) {
-    std::vector<int> order, stack(roots.rbegin(), roots.rend());
-    std::vector<bool> seen(model.nodes.size(), false);
-    while (!stack.empty()) {
-        const int node = stack.back();
-        stack.pop_back();
-        if (seen[at(node)])
-            continue;
-        seen[at(node)] = true;
-        order.push_back(node);
-        const std::vector<int>& children = model.nodes[at(node)].children;
-        stack.insert(stack.end(), children.rbegin(), children.rend());
-    }
-    return order;
-}
-
-std::vector<int> allRoots(const tinygltf::Model& model) {
-    std::vector<bool> isChild(model.nodes.size(), false);
-    for (const tinygltf::Node& node : model.nodes)
-        for (const int child : node.children)
-            isChild[at(child)] = true;
-    std::vector<int> roots;
-    for (std::size_t i = 0; i < isChild.size(); ++i)
-        if (!isChild[i])
-            roots.push_back(static_cast<int>(i));
-    return roots;
-}
 
 std::vector<int> sceneRoots(const tinygltf::Model& model) {
     return model.scenes.empty() ? allRoots(model) : model.scenes[at(std::max(model.defaultScene, 0))].nodes;
@@ -78,14 +30,18 @@ bool isFinite(const glm::mat4& matrix) {
 }
 
 // Of all nodes, those outside the scene too, because a skin's joints may be there.
-bool worldMatrices(Document& source, std::vector<glm::dmat4>& worlds) {
+bool worldMatrices(Document& source, std::vector<glm::dmat4>& worlds, std::vector<bool>& visible) {
     const tinygltf::Model& model = source.model;
+    for (const tinygltf::Node& node : model.nodes)
+        visible.push_back(isVisible(node));
     worlds.resize(model.nodes.size());
     for (std::size_t i = 0; i < worlds.size(); ++i)
         worlds[i] = localMatrix(model.nodes[i]);
     for (const int node : depthFirst(model, allRoots(model))) {
-        for (const int child : model.nodes[at(node)].children)
+        for (const int child : model.nodes[at(node)].children) {
             worlds[at(child)] = worlds[at(node)] * worlds[at(child)];
+            visible[at(child)] = visible[at(child)] && visible[at(node)];
+        }
         if (!isFinite(glm::mat4(worlds[at(node)]))) {
             source.fail("gltf.value", pathOf("nodes", node), "the node's place in the world is not finite");
             if (!source.defer(pathOf("nodes", node)))
@@ -98,11 +54,12 @@ bool worldMatrices(Document& source, std::vector<glm::dmat4>& worlds) {
 /// Walks the nodes of the scene and adds what hangs on them.
 class Walker {
 public:
-    Walker(Document& source, Scene& scene) : m_source(source), m_scene(scene) {}
+    Walker(Document& source, const NodePlaces& places, Scene& scene)
+        : m_source(source), m_places(places), m_scene(scene) {}
 
     bool walk() {
         const tinygltf::Model& model = m_source.model;
-        if (!worldMatrices(m_source, m_worlds))
+        if (!worldMatrices(m_source, m_worlds, m_visible))
             return false;
         if (!model.scenes.empty() && !m_source.need(pathOf("scenes", std::max(model.defaultScene, 0))))
             return false;
@@ -124,8 +81,10 @@ private:
     bool addLight(int node);
 
     Document& m_source;
+    const NodePlaces& m_places;
     Scene& m_scene;
     std::vector<glm::dmat4> m_worlds;
+    std::vector<bool> m_visible; ///< Of all nodes: none above is hidden either.
     std::map<std::pair<int, std::vector<double>>, int> m_meshes; ///< By file mesh and weights.
 };
 
@@ -202,7 +161,12 @@ bool Walker::addMesh(int index) {
         return false;
     if (mesh == kNone)
         return true; // nothing in it can be drawn
-    m_scene.instances.push_back({node.name, mesh, world, mirrored});
+    m_scene.instances.push_back({.name = node.name,
+                                 .mesh = mesh,
+                                 .world = world,
+                                 .mirrored = mirrored,
+                                 .visible = m_visible[at(index)],
+                                 .nodeIndex = node.skin == kNone ? m_places[at(index)] : kNone});
     return true;
 }
 
@@ -216,6 +180,7 @@ bool Walker::addCamera(int index) {
         return m_source.defer(where); // There are other cameras, or a framing one.
     camera.node = m_source.model.nodes[at(index)].name;
     camera.world = m_worlds[at(index)];
+    camera.nodeIndex = m_places[at(index)];
     m_scene.cameras.push_back(camera);
     return true;
 }
@@ -237,6 +202,7 @@ bool Walker::addLight(int index) {
     if (!readLight(m_source, number.GetNumberAsInt(), light))
         return false;
     const glm::dmat4& world = m_worlds[at(index)];
+    light.nodeIndex = m_places[at(index)];
     light.position = glm::dvec3(world[3]);
     const glm::dvec3 back(world[2]);
     if (glm::length(back) > 0.0)
@@ -258,9 +224,9 @@ std::vector<bool> materialsInScene(const Document& source) {
     return used;
 }
 
-bool readNodes(Document& source, Scene& scene) {
+bool readNodes(Document& source, const NodePlaces& places, Scene& scene) {
     readVariants(source, scene);
-    return Walker(source, scene).walk();
+    return Walker(source, places, scene).walk();
 }
 
 } // namespace franken::gltf

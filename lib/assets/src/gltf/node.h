@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "gltf/document.h"
+#include "gltf/skeleton.h"
 
 namespace franken::gltf {
 
@@ -15,7 +15,7 @@ bool readLight(Document& source, int index, Light& light);
 /// Which materials the primitives of the scene's nodes have.
 std::vector<bool> materialsInScene(const Document& source);
 
-/// Walks the scene's nodes: meshes, instances, cameras and lights. Needs the materials.
-bool readNodes(Document& source, Scene& scene);
+/// Walks the scene's nodes: meshes, instances, cameras and lights. Needs the materials and Scene::nodes.
+bool readNodes(Document& source, const NodePlaces& places, Scene& scene);
 
 } // namespace franken::gltf

@@ -127,7 +127,9 @@ constexpr Property kMesh[]{{"name", Kind::Name},
 constexpr Property kSkin[]{
     {"name", Kind::Name}, required("joints", Kind::Index, kMany), {"inverseBindMatrices", Kind::Index}};
 constexpr Property kNodeLight[]{required("light", Kind::Index)};
-constexpr Property kNodeExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kNodeLight}};
+constexpr Property kVisibility[]{{"visible", Kind::Boolean}};
+constexpr Property kNodeExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kNodeLight},
+                                     {"KHR_node_visibility", Kind::Object, kOne, kVisibility}};
 constexpr Property kNode[]{{"name", Kind::Name},
                            {"camera", Kind::Index},
                            {"children", Kind::Index, kMany},
@@ -140,6 +142,19 @@ constexpr Property kNode[]{{"name", Kind::Name},
                            {"weights", Kind::Number, kMany},
                            {"extensions", Kind::Object, kOne, kNodeExtensions}};
 constexpr Property kScene[]{{"name", Kind::Name}, {"nodes", Kind::Index, kMany}};
+
+constexpr Property kPointer[]{required("pointer", Kind::String)};
+constexpr Property kTargetExtensions[]{{"KHR_animation_pointer", Kind::Object, kOne, kPointer}};
+constexpr Property kTarget[]{{"node", Kind::Index},
+                             required("path", Kind::String),
+                             {"extensions", Kind::Object, kOne, kTargetExtensions}};
+constexpr Property kChannel[]{required("sampler", Kind::Index),
+                              required("target", Kind::Object, kOne, kTarget)};
+constexpr Property kAnimationSampler[]{
+    required("input", Kind::Index), {"interpolation", Kind::String}, required("output", Kind::Index)};
+constexpr Property kAnimation[]{{"name", Kind::Name},
+                                required("channels", Kind::Object, kMany, kChannel),
+                                required("samplers", Kind::Object, kMany, kAnimationSampler)};
 
 constexpr Property kPerspective[]{{"aspectRatio", Kind::Number},
                                   required("yfov", Kind::Number),
@@ -181,6 +196,7 @@ constexpr Property kFile[]{
     elements("cameras", kCamera, kEmptyCamera),
     elements("nodes", kNode, "{}"),
     elements("scenes", kScene, "{}"),
+    elements("animations", kAnimation, R"({"channels": [], "samplers": []})"),
     {"scene", Kind::Index}};
 
 /// Walks a document along the schema. Functions return false after an error.

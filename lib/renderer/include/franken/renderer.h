@@ -13,6 +13,7 @@
 #include "franken/overlay.h"
 #include "franken/pick.h"
 #include "franken/place.h"
+#include "franken/pose.h"
 #include "franken/program_manager.h"
 #include "franken/program_uses.h"
 #include "franken/reflection.h"
@@ -112,6 +113,12 @@ public:
     /// Moves all that stands there; a mirror in the matrix mirrors. Uploads nothing: the next frame computes
     /// one matrix for each primitive of the place.
     Result<void> setWorld(PlaceId place, const glm::dmat4& world);
+    /// Moves the nodes of what stands there (pose.h), and hides what the pose hides. Skinned meshes stay as
+    /// they are, and morph weights are not heeded. Uploads nothing: the next frame computes one matrix for
+    /// each primitive of the place; a pose that moves nothing costs nothing. Allocates for the first pose of
+    /// a place alone. Lighting and viewpoint are the application's: follow() moves the scene's lights and
+    /// cameras. Fails with "pose.nodes" for a pose of another scene.
+    Result<void> setPose(PlaceId place, const Pose& pose);
     /// Hides or shows what stands there, at no cost. Its programs are there already when it is shown.
     Result<void> setVisible(PlaceId place, bool visible);
 

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "franken/pose.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "animation/rotation.h"
+
+namespace franken {
+namespace {
+
+bool isFinite(const NodeState& state) {
+    const Transform& local = state.local;
+    const double sum = local.translation.x + local.translation.y + local.translation.z + local.rotation.x +
+                       local.rotation.y + local.rotation.z + local.rotation.w + local.scale.x +
+                       local.scale.y + local.scale.z;
+    return std::isfinite(sum) && std::all_of(state.weights.begin(), state.weights.end(),
+                                             [](float weight) { return std::isfinite(weight); });
+}
+
+const NodeWorld& worldOf(const std::vector<NodeWorld>& worlds, int node) {
+    return worlds[static_cast<std::size_t>(node)];
+}
+
+} // namespace
+
+Pose restPose(const Scene& scene) {
+    Pose pose;
+    pose.nodes.reserve(scene.nodes.size());
+    for (const Node& node : scene.nodes)
+        pose.nodes.push_back(node.rest);
+    return pose;
+}
+
+Result<void> mix(const Pose& a, const Pose& b, double t, Pose& out) {
+    const auto sameShape = [](const NodeState& left, const NodeState& right) {
+        return left.weights.size() == right.weights.size();
+    };
+    if (!std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(), sameShape))
+        return Error{"pose.nodes", "", "the two poses are of different scenes",
+                     "sample both of them from one scene"};
+    out.nodes.resize(a.nodes.size());
+    for (std::size_t n = 0; n < a.nodes.size(); ++n) {
+        const NodeState &from = a.nodes[n], &to = b.nodes[n];
+        NodeState& state = out.nodes[n];
+        const bool visible = t < 0.5 ? from.visible : to.visible;
+        const glm::dquat rotation = glm::slerp(unit(from.local.rotation), unit(to.local.rotation), t);
+        state.local = {glm::mix(from.local.translation, to.local.translation, t), rotation,
+                       glm::mix(from.local.scale, to.local.scale, t)};
+        state.visible = visible;
+        state.weights.resize(from.weights.size());
+        for (std::size_t w = 0; w < state.weights.size(); ++w)
+            state.weights[w] = glm::mix(from.weights[w], to.weights[w], static_cast<float>(t));
+    }
+    return {};
+}
+
+Result<void> check(const Scene& scene, const Pose& pose) {
+    const auto error = [](std::size_t node, const char* what) {
+        return Error{"pose.nodes", "nodes[" + std::to_string(node) + "]", what,
+                     "start from restPose() or sample() of the same scene"};
+    };
+    if (pose.nodes.size() != scene.nodes.size())
+        return error(pose.nodes.size(), "the scene has another number of nodes");
+    for (std::size_t n = 0; n < pose.nodes.size(); ++n) {
+        if (pose.nodes[n].weights.size() != scene.nodes[n].rest.weights.size())
+            return error(n, "the node has another number of weights");
+        if (!isFinite(pose.nodes[n]))
+            return error(n, "its numbers must be finite");
+    }
+    return {};
+}
+
+void worldsOf(const Scene& scene, const Pose& pose, std::vector<NodeWorld>& worlds) {
+    worlds.resize(scene.nodes.size());
+    for (std::size_t n = 0; n < worlds.size(); ++n) {
+        const Node& node = scene.nodes[n];
+        const NodeState& state = pose.nodes[n];
+        worlds[n] = {node.matrix ? *node.matrix : matrixOf(state.local), state.visible};
+        if (node.parent == kNone)
+            continue;
+        const NodeWorld& parent = worldOf(worlds, node.parent);
+        worlds[n] = {parent.matrix * worlds[n].matrix, parent.visible && state.visible};
+    }
+}
+
+void follow(const std::vector<NodeWorld>& worlds, Instance& instance) {
+    if (instance.nodeIndex == kNone)
+        return;
+    const NodeWorld& node = worldOf(worlds, instance.nodeIndex);
+    instance.world = node.matrix * instance.offset;
+    instance.mirrored = glm::determinant(glm::dmat3(instance.world)) < 0.0;
+    instance.visible = node.visible;
+}
+
+void follow(const std::vector<NodeWorld>& worlds, Camera& camera) {
+    if (camera.nodeIndex != kNone)
+        camera.world = worldOf(worlds, camera.nodeIndex).matrix;
+}
+
+void follow(const std::vector<NodeWorld>& worlds, Light& light) {
+    if (light.nodeIndex == kNone)
+        return;
+    const glm::dmat4& world = worldOf(worlds, light.nodeIndex).matrix;
+    light.position = glm::dvec3(world[3]);
+    if (const glm::dvec3 back(world[2]); glm::length(back) > 0.0)
+        light.direction = -glm::normalize(back);
+}
+
+Result<void> applyPose(Scene& scene, const Pose& pose) {
+    if (Result<void> checked = check(scene, pose); !checked)
+        return checked;
+    std::vector<NodeWorld> worlds;
+    worldsOf(scene, pose, worlds);
+    for (Instance& instance : scene.instances)
+        follow(worlds, instance);
+    for (Camera& camera : scene.cameras)
+        follow(worlds, camera);
+    for (Light& light : scene.lights)
+        follow(worlds, light);
+    return {};
+}
+
+} // namespace franken
