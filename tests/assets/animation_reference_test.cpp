@@ -117,6 +117,6 @@ TEST_P(AnimationReference, IsWhereDoublesHaveIt) {
 INSTANTIATE_TEST_SUITE_P(Rigid, AnimationReference,
                          testing::Values("BoxAnimated", "Interpolation9", "Animation_Node_05",
                                          "Animation_NodeMisc_01", "MovingCameraAndLights", "EdgeStepAtKey"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& model) { return std::string(model.param); });
 
 } // namespace

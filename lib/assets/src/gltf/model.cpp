@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The detour of the checked JSON through tinygltf: made into what it accepts, written out, parsed, and what
 // was put in for it alone taken back.
+#include <algorithm>
+
 #include "gltf/document.h"
 
 namespace franken::gltf {
@@ -21,6 +23,9 @@ bool chargeObjects(Source& source, const Json& root) {
     const auto charge = [&](const Json& array, std::size_t bytes, const std::string& where) {
         return source.charge(array.size(), 3 * bytes, where);
     };
+    const Json& nodes = member(root, "nodes");
+    const auto instances = static_cast<std::size_t>(
+        std::count_if(nodes.begin(), nodes.end(), [](const Json& node) { return node.contains("mesh"); }));
     const Json& lights = member(member(member(root, "extensions"), "KHR_lights_punctual"), "lights");
     for (const Json& mesh : member(root, "meshes")) {
         if (!charge(mesh["primitives"], sizeof(tinygltf::Primitive), "/meshes"))
@@ -43,7 +48,7 @@ bool chargeObjects(Source& source, const Json& root) {
            charge(member(root, "skins"), sizeof(tinygltf::Skin), "/skins") &&
            charge(member(root, "cameras"), sizeof(tinygltf::Camera), "/cameras") &&
            charge(member(root, "nodes"), sizeof(tinygltf::Node), "/nodes") &&
-           source.charge(member(root, "nodes").size(), sizeof(Instance), "/nodes") && // reserved
+           source.charge(instances, sizeof(Instance), "/nodes") && // reserved
            charge(member(root, "scenes"), sizeof(tinygltf::Scene), "/scenes") &&
            charge(lights, sizeof(tinygltf::Light), "/extensions/KHR_lights_punctual/lights");
 }

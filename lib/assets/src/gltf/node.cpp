@@ -63,7 +63,9 @@ public:
             return false;
         if (!model.scenes.empty() && !m_source.need(pathOf("scenes", std::max(model.defaultScene, 0))))
             return false;
-        m_scene.instances.reserve(model.nodes.size());
+        m_scene.instances.reserve(static_cast<std::size_t>(
+            std::count_if(model.nodes.begin(), model.nodes.end(),
+                          [](const tinygltf::Node& node) { return node.mesh != kNone; })));
         for (const int node : depthFirst(model, sceneRoots(model)))
             if (!need(node) || !addMesh(node) || !addCamera(node) || !addLight(node))
                 return false;

@@ -97,6 +97,8 @@ std::vector<PickDrawable> drawablesOf(const Scene& scene) {
     std::vector<PickDrawable> drawables;
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
         const Instance& instance = scene.instances[i];
+        if (!instance.visible)
+            continue;
         const auto mesh = static_cast<std::size_t>(instance.mesh);
         const glm::dmat3 linear(instance.world);
         const double determinant = glm::determinant(linear);
