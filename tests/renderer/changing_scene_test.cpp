@@ -29,6 +29,10 @@ Scene balls() {
     builder.add(sphere(4), builder.addMaterial(glass), glm::translate(glm::mat4(1), {1, 0, 0}));
     builder.scene.variants = {"night"};
     builder.scene.meshes[0].primitives[0].variantMaterials = {builder.addMaterial(night)};
+    builder.scene.nodes = {Node{.rest = {.local = {.translation = {1, 0, 0}}}}};
+    builder.scene.instances[1].nodeIndex = 0;
+    builder.scene.animations = {
+        {.samplers = {{.times = {0, 1}, .values = {1, 0, 0, 2, 0, 0}}}, .channels = {{}}, .duration = 1}};
     return builder.scene;
 }
 
@@ -57,7 +61,7 @@ struct Changing {
         const SnippetSet snippets = *SnippetSet::builtIn().with(*Effect::parse("tint", kTint, "tint.glsl"));
         renderer.setSnippets(snippets);
         renderer.setLook({.effect = *snippets.chooseEffect("tint")});
-        model = *renderer.add(balls(), [] { return Result<Scene>(balls()); });
+        model = *renderer.add(scene, [] { return Result<Scene>(balls()); });
         places = {*renderer.firstPlace(model), *renderer.addPlace(model), *renderer.addPlace(model)};
         EXPECT_TRUE(renderer.show({{model}}));
         material = *renderer.materialOf(model, 0);
@@ -72,6 +76,8 @@ struct Changing {
         FirstOf first;
         first.add(renderer.setWorld(places[0], world));
         first.add(renderer.setVisible(places[1], frame % 3 != 0));
+        first.add(sample(scene, 0, 0.01 * frame, pose, Ends::Loop));
+        first.add(renderer.setPose(places[1], pose));
         first.add(renderer.setMaterial(model, 0, material));
         const std::array<Float4, 1> tint{{{1, material.baseColor.r, 1, 1}}};
         first.add(renderer.setEffectValues(tint));
@@ -89,8 +95,10 @@ struct Changing {
         }
     };
 
+    const Scene scene = balls();
     Renderer renderer;
     Lighting lighting = skyLight();
+    Pose pose;
     ModelId model{};
     std::vector<PlaceId> places;
     Material material;

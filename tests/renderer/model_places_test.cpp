@@ -96,6 +96,46 @@ TEST_P(PlacesTest, APlaceIsDrawnAsASceneThatStandsThere) {
     }
 }
 
+/// The flag on a node that a pose moves, and the lamp on one below that it hides or shows.
+Scene posable() {
+    Scene scene = flag();
+    scene.nodes.resize(2);
+    scene.nodes[1].parent = 0;
+    scene.instances[0].nodeIndex = 0;
+    scene.instances[1].nodeIndex = 1;
+    scene.instances[1].offset = scene.instances[1].world;
+    return scene;
+}
+
+TEST_P(PlacesTest, APoseIsDrawnAsASceneThatIsPosedForGood) {
+    Pose pose = restPose(posable());
+    pose.nodes[0].local = {.translation = {-1, 0.5, 0.3}, .scale = {-0.8, 0.8, 0.8}};
+    pose.nodes[0].local.rotation = glm::angleAxis(0.7, glm::normalize(glm::dvec3(1, 2, 3)));
+    Renderer renderer(gl());
+    renderer.setLighting(sunny());
+    const Result<ModelId> model = renderer.add(posable(), [] { return Result<Scene>(posable()); });
+    ASSERT_TRUE(model);
+    ASSERT_TRUE(renderer.show({{*model}}));
+    const PlaceId place = *renderer.firstPlace(*model);
+    for (const bool visible : {true, false}) {
+        pose.nodes[1].visible = visible;
+        Scene posed = posable();
+        ASSERT_TRUE(applyPose(posed, pose));
+        Renderer expected(gl());
+        expected.setLighting(sunny());
+        ASSERT_TRUE(expected.load(posed));
+        const Picture picture = drawn(expected, camera());
+        renderer.invalidateState(); // Two renderers share the context.
+        ASSERT_TRUE(renderer.setPose(place, pose));
+        EXPECT_EQ(compareLit(drawn(renderer, camera()), picture).max(), 0);
+        renderer.contextLost();
+        ASSERT_TRUE(renderer.restore(gl()));
+        EXPECT_EQ(compareLit(drawn(renderer, camera()), picture).max(), 0) << "a pose outlasts the context";
+    }
+    EXPECT_EQ(renderer.setPose(place, Pose{}).error().code, "pose.nodes");
+    EXPECT_EQ(renderer.setPose(PlaceId{}, pose).error().code, "renderer.place");
+}
+
 TEST_P(PlacesTest, PlacesShareBuffersTexturesAndPrograms) {
     Renderer renderer(recordingGl(gl()));
     renderer.setLighting(sunny());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/scene_check.h"
 
-#include "animation/animation_check.h"
+#include "motion_check.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>

@@ -27,19 +27,19 @@ glm::dmat4 matrixOf(const Transform& transform);
 
 /// What animations change of a node.
 struct NodeState {
-    Transform local;
+    Transform local = {};
     bool visible = true;        ///< KHR_node_visibility: hides the nodes below as well.
-    std::vector<float> weights; ///< Of its mesh's morph targets, one for each; empty for a mesh without.
+    std::vector<float> weights = {}; ///< Of its mesh's morph targets, one for each; empty for a mesh without.
 };
 
 /// A place in the tree, on which meshes, cameras, lights and joints hang.
 struct Node {
-    std::string name;
+    std::string name = {};
     int index = kNone;  ///< In the file's array of nodes.
     int parent = kNone; ///< Index into Scene::nodes, below the node's own; kNone for a root.
-    NodeState rest;
+    NodeState rest = {};
     /// A matrix that no Transform says, because it shears: it stands in place of `local` in every pose.
-    std::optional<glm::dmat4> matrix;
+    std::optional<glm::dmat4> matrix = {};
 };
 
 /// Values over time. Outside its keys, the first and the last value hold.
@@ -51,9 +51,9 @@ struct AnimationSampler {
     };
 
     Interpolation interpolation = Interpolation::Linear;
-    std::vector<float> times; ///< Seconds, ascending; at least one.
+    std::vector<float> times = {}; ///< Seconds, ascending; at least one.
     /// For each key as many numbers as the channel's path has (thrice as many for CubicSpline).
-    std::vector<float> values;
+    std::vector<float> values = {};
 };
 
 /// What a sampler moves.
@@ -72,10 +72,10 @@ struct AnimationChannel {
 };
 
 struct Animation {
-    std::string name;
+    std::string name = {};
     int index = kNone; ///< In the file's array of animations.
-    std::vector<AnimationSampler> samplers;
-    std::vector<AnimationChannel> channels; ///< No two of them move the same.
+    std::vector<AnimationSampler> samplers = {};
+    std::vector<AnimationChannel> channels = {}; ///< No two of them move the same.
     float duration = 0; ///< Seconds: the latest key of all channels.
 };
 

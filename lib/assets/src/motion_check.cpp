@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "animation/animation_check.h"
+#include "motion_check.h"
 
 #include <algorithm>
 #include <cmath>
