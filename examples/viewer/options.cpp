@@ -232,10 +232,10 @@ void addScene(CLI::App& app, Options& options) {
     app.add_option("--variant", options.variant,
                    "One of the file's variants (KHR_materials_variants), by its name")
         ->type_name("NAME");
-    app.add_option(
-           "--animation", options.animation,
-           "One of the file's animations, by its name or its index in the file: the picture shows it at --time. "
-           "Nodes, cameras and lights move, skins and morph targets stay at rest [none]")
+    app.add_option("--animation", options.animation,
+                   "One of the file's animations, by its name or its index in the file: the picture shows it "
+                   "at --time. "
+                   "Nodes, cameras and lights move, skins and morph targets stay at rest [none]")
         ->type_name("NAME|INDEX");
     app.add_option_function<std::string>(
            "--time", [&options](const std::string& text) { options.time = toNumber("--time", text); },

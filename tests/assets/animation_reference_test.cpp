@@ -69,9 +69,9 @@ private:
     void see(int node, const glm::dvec3& position, const glm::dvec3& direction) {
         if (node == kNone || m_scene.nodes[static_cast<std::size_t>(node)].index != m_row.node)
             return;
-        m_isRight = m_isRight || (glm::distance(position, m_row.position) < kPosition &&
-                                  (!m_row.hasNormal ||
-                                   glm::distance(glm::normalize(direction), m_row.normal) < kNormal));
+        m_isRight = m_isRight ||
+                    (glm::distance(position, m_row.position) < kPosition &&
+                     (!m_row.hasNormal || glm::distance(glm::normalize(direction), m_row.normal) < kNormal));
     }
 
     void seeVertex(const Instance& instance) {

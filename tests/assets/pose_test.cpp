@@ -35,9 +35,8 @@ glm::dvec3 translationAt(const Scene& scene, double seconds, Ends ends = Ends::H
 }
 
 bool isWarned(const GltfFile& file, const std::string& text) {
-    return std::any_of(file.warnings.begin(), file.warnings.end(), [&](const std::string& warning) {
-        return warning.find(text) != std::string::npos;
-    });
+    return std::any_of(file.warnings.begin(), file.warnings.end(),
+                       [&](const std::string& warning) { return warning.find(text) != std::string::npos; });
 }
 
 TEST(Sample, HoldsItsEndsOrLoops) {
@@ -96,7 +95,8 @@ TEST(Mix, LiesBetween) {
 TEST(Pose, MovesWhatHangsBelowAndHidesIt) {
     GltfFile file;
     file.setTriangle();
-    file.append("nodes", {{"children", {0}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
+    file.append("nodes",
+                {{"children", {0}}, {"extensions", {{"KHR_node_visibility", {{"visible", false}}}}}});
     file.json["scenes"] = {{{"nodes", {1}}}};
     Scene scene = file.loaded();
     ASSERT_EQ(scene.instances.size(), 1u);
@@ -112,12 +112,12 @@ TEST(Pose, MovesWhatHangsBelowAndHidesIt) {
 }
 
 TEST(GltfAnimation, FaultsCostTheAnimationAlone) {
-    for (GltfFile file : {animated("translation", "VEC3", {1, 0}, {0, 0, 0, 1, 0, 0}),
-                          animated("translation", "VEC3", {0, 1}, {0, 0, 0}),
-                          animated("translation", "VEC4", {0}, {0, 0, 0, 1}),
-                          animated("colour", "VEC3", {0}, {0, 0, 0}),
-                          animated("scale", "VEC3", {0}, {0, 0, 0}, "SMOOTH"),
-                          animated("scale", "VEC3", {0}, {0, 0, std::nanf("")})}) {
+    for (GltfFile file :
+         {animated("translation", "VEC3", {1, 0}, {0, 0, 0, 1, 0, 0}),
+          animated("translation", "VEC3", {0, 1}, {0, 0, 0}),
+          animated("translation", "VEC4", {0}, {0, 0, 0, 1}), animated("colour", "VEC3", {0}, {0, 0, 0}),
+          animated("scale", "VEC3", {0}, {0, 0, 0}, "SMOOTH"),
+          animated("scale", "VEC3", {0}, {0, 0, std::nanf("")})}) {
         const Scene scene = file.loaded();
         EXPECT_EQ(scene.instances.size(), 1u);
         EXPECT_TRUE(scene.animations.empty());

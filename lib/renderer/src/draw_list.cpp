@@ -24,7 +24,8 @@ bool isVisible(const Place& place, const Drawable& drawable) {
 /// What follows from where the object stands, whatever the camera.
 void settle(Object& object, const glm::dmat3& skyFromWorld) {
     const NodeWorld* const node = nodeOf(*object.place, *object.drawable);
-    const glm::dmat4 posed = node == nullptr ? object.drawable->world : node->matrix * object.drawable->offset;
+    const glm::dmat4 posed =
+        node == nullptr ? object.drawable->world : node->matrix * object.drawable->offset;
     const glm::dmat4 world = object.place->world * posed;
     const bool isMirrored =
         node == nullptr ? object.drawable->mirrored : glm::determinant(glm::dmat3(posed)) < 0;

@@ -46,8 +46,8 @@ struct Drawable {
     std::size_t primitive; ///< Of GpuScene.
     glm::dmat4 world;      ///< From the object to where the model stands, at rest.
     bool mirrored;
-    bool visible;     ///< At rest.
-    int nodeIndex;    ///< Of the scene; kNone for what no pose moves.
+    bool visible;      ///< At rest.
+    int nodeIndex;     ///< Of the scene; kNone for what no pose moves.
     glm::dmat4 offset; ///< From the object to its node.
 };
 

@@ -28,7 +28,7 @@ glm::dmat4 matrixOf(const Transform& transform);
 /// What animations change of a node.
 struct NodeState {
     Transform local = {};
-    bool visible = true;        ///< KHR_node_visibility: hides the nodes below as well.
+    bool visible = true;             ///< KHR_node_visibility: hides the nodes below as well.
     std::vector<float> weights = {}; ///< Of its mesh's morph targets, one for each; empty for a mesh without.
 };
 
@@ -76,7 +76,7 @@ struct Animation {
     int index = kNone; ///< In the file's array of animations.
     std::vector<AnimationSampler> samplers = {};
     std::vector<AnimationChannel> channels = {}; ///< No two of them move the same.
-    float duration = 0; ///< Seconds: the latest key of all channels.
+    float duration = 0;                          ///< Seconds: the latest key of all channels.
 };
 
 /// How many numbers a key of that path has; `weights` is for Path::Weights.

@@ -56,10 +56,11 @@ struct LoadOptions {
 /// What comes out is at rest: the default scene (else the first, else all root nodes), with the default
 /// morph weights and the skins of the file's own pose applied once, strips and fans as lists, every integer
 /// format as float, missing normals flat and missing tangents computed, as the glTF 2.0 text has it.
-/// Points, lines and optional extensions that are not known are left out, each with one warning. Animations of
-/// nodes come along (pose.h); skins and morph targets are at rest.
+/// Points, lines and optional extensions that are not known are left out, each with one warning.
+/// Animations of nodes come along (pose.h); skins and morph targets are at rest.
 ///
-/// Known extensions: KHR_animation_pointer (nodes), KHR_lights_punctual, KHR_materials_emissive_strength, KHR_materials_unlit,
+/// Known extensions: KHR_animation_pointer (nodes), KHR_lights_punctual,
+/// KHR_materials_emissive_strength, KHR_materials_unlit,
 /// KHR_materials_variants, KHR_mesh_quantization, KHR_node_visibility,
 /// KHR_texture_transform. Another one that the file requires
 /// is an error that names it, unless a picture at rest is right without.

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <span>
 
-
 #include "animation/rotation.h"
 #include "franken/pose.h"
 

@@ -52,7 +52,8 @@ std::optional<Target> targetOfPointer(std::string_view pointer) {
 /// Reads one animation.
 class Reader {
 public:
-    Reader(Document& source, const NodePlaces& places, const Scene& scene, const Json& from, std::string where)
+    Reader(Document& source, const NodePlaces& places, const Scene& scene, const Json& from,
+           std::string where)
         : m_source(source), m_places(places), m_scene(scene), m_from(from), m_where(std::move(where)) {}
 
     bool read(Animation& animation) {
@@ -168,9 +169,10 @@ bool Reader::readTimes(int index, const std::string& where, std::vector<float>& 
     if (!std::is_sorted(times.begin(), times.end()))
         return m_source.fail("gltf.value", where, "the times of keys do not ascend");
     if (times.front() < 0.0f || std::adjacent_find(times.begin(), times.end()) != times.end())
-        m_source.warn(kMended, where,
-                      "times of keys are 0 or more, and each is later than the one before; of several keys at "
-                      "one time, the last counts");
+        m_source.warn(
+            kMended, where,
+            "times of keys are 0 or more, and each is later than the one before; of several keys at "
+            "one time, the last counts");
     return true;
 }
 
@@ -184,7 +186,7 @@ bool Reader::readValues(int index, std::size_t count, Path path, const std::stri
     const bool mayBeInteger = accessor.componentType != TINYGLTF_COMPONENT_TYPE_DOUBLE &&
                               accessor.componentType != TINYGLTF_COMPONENT_TYPE_INT &&
                               (path == Path::Rotation || path == Path::Weights || path == Path::Visible);
-    const int type = path == Path::Rotation                              ? TINYGLTF_TYPE_VEC4
+    const int type = path == Path::Rotation                           ? TINYGLTF_TYPE_VEC4
                      : path == Path::Weights || path == Path::Visible ? TINYGLTF_TYPE_SCALAR
                                                                       : TINYGLTF_TYPE_VEC3;
     if (accessor.type != type || (!isFloat && !mayBeInteger))

@@ -29,8 +29,9 @@ std::optional<Transform> transformOf(const glm::dmat4& matrix) {
         transform.scale.x = -transform.scale.x;
         axes[0] = -axes[0];
     }
-    const double skew = std::max({std::fabs(glm::dot(axes[0], axes[1])), std::fabs(glm::dot(axes[1], axes[2])),
-                                  std::fabs(glm::dot(axes[2], axes[0]))});
+    const double skew =
+        std::max({std::fabs(glm::dot(axes[0], axes[1])), std::fabs(glm::dot(axes[1], axes[2])),
+                  std::fabs(glm::dot(axes[2], axes[0]))});
     if (!(skew < kRounding))
         return std::nullopt;
     transform.rotation = glm::normalize(glm::quat_cast(axes));

@@ -20,8 +20,8 @@ glm::dmat4 localMatrix(const tinygltf::Node& node);
 /// KHR_node_visibility, of the node alone.
 bool isVisible(const tinygltf::Node& node);
 
-/// Fills Scene::nodes, whatever scene they are in: a skin's joints may be anywhere. Where they would take more
-/// than half of the memory that is left, there are none, with a warning, and nothing can be posed.
+/// Fills Scene::nodes, whatever scene they are in: a skin's joints may be anywhere. Where they would take
+/// more than half of the memory that is left, there are none, with a warning, and nothing can be posed.
 bool readSkeleton(Document& source, Scene& scene, NodePlaces& places);
 
 } // namespace franken::gltf
