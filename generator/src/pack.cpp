@@ -74,8 +74,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
                               scaled(emissive, kDecodeCubic[2])},
             .normalScale = factors.normalScale,
             .alphaCutoff = factors.alphaCutoff,
-            .uv0Transform = factors.uv0Transform,
-            .uv1Transform = factors.uv1Transform};
+            .uv = {}};
 }
 
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure, Precision precision) {
@@ -167,8 +166,8 @@ constexpr PackField kFields[] = {
     {Block::Material, "uEmissiveCubic", offsetof(MaterialBlock, emissiveCubic)},
     {Block::Material, "uNormalScale", offsetof(MaterialBlock, normalScale)},
     {Block::Material, "uAlphaCutoff", offsetof(MaterialBlock, alphaCutoff)},
-    {Block::Material, "uUv0Transform", offsetof(MaterialBlock, uv0Transform)},
-    {Block::Material, "uUv1Transform", offsetof(MaterialBlock, uv1Transform)},
+    {Block::Material, "uUv0Transform", offsetof(MaterialBlock, uv) + offsetof(UvTransforms, uv0)},
+    {Block::Material, "uUv1Transform", offsetof(MaterialBlock, uv) + offsetof(UvTransforms, uv1)},
     {Block::Object, "uModelViewProjection", offsetof(ObjectBlock, modelViewProjection)},
     {Block::Object, "uModel", offsetof(ObjectBlock, model)},
     {Block::Object, "uNormalMatrix", offsetof(ObjectBlock, normalMatrix)},

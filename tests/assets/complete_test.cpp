@@ -34,7 +34,7 @@ TEST(Complete, NeedsPositionsAlone) {
     ASSERT_TRUE(scene) << toString(scene.error());
     EXPECT_TRUE(check(*scene));
     ASSERT_EQ(scene->materials.size(), 1u);
-    EXPECT_EQ(scene->materials[0].metallic, 1) << "glTF's default";
+    EXPECT_EQ(scene->materials[0].factors.metallic, 1) << "glTF's default";
     const Primitive& primitive = scene->meshes[0].primitives[0];
     ASSERT_EQ(primitive.positions.size(), 6u) << "flat: no vertex is shared";
     EXPECT_EQ(primitive.normals[0], glm::vec3(0, 0, 1));
@@ -76,7 +76,7 @@ TEST(Complete, ComputesTangentsForANormalTextureAlone) {
     scene.textures.emplace_back().image = 0;
     scene.materials.resize(2);
     EXPECT_TRUE(complete(scene)->meshes[0].primitives[0].tangents.empty());
-    scene.materials[0].normalTexture.texture = 0;
+    scene.materials[0].textures[TextureRole::Normal].texture = 0;
     const Result<Scene> done = complete(scene);
     ASSERT_TRUE(done);
     for (const glm::vec4& tangent : done->meshes[0].primitives[0].tangents)

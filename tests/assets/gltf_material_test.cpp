@@ -10,6 +10,10 @@ using franken::AlphaMode;
 using franken::Filter;
 using franken::Material;
 using franken::Scene;
+using franken::TextureRef;
+using franken::TextureRole;
+using franken::TextureRoleRow;
+using franken::textureRoles;
 using franken::Wrap;
 using Json = GltfFile::Json;
 
@@ -24,13 +28,13 @@ Material onlyMaterial(GltfFile& file, const Json& material) {
 TEST(GltfMaterial, DefaultsAreThoseOfTheSpecification) {
     GltfFile file;
     const Material material = onlyMaterial(file, Json::object());
-    EXPECT_EQ(material.baseColor, glm::vec4(1));
-    EXPECT_EQ(material.metallic, 1);
-    EXPECT_EQ(material.roughness, 1);
-    EXPECT_EQ(material.emissive, glm::vec3(0));
+    EXPECT_EQ(material.factors.baseColor, (franken::Float4{1, 1, 1, 1}));
+    EXPECT_EQ(material.factors.metallic, 1);
+    EXPECT_EQ(material.factors.roughness, 1);
+    EXPECT_EQ(material.factors.emissive, (franken::Float3{0, 0, 0}));
     EXPECT_EQ(material.alphaMode, AlphaMode::Opaque);
-    EXPECT_FALSE(material.doubleSided || material.unlit || material.baseColorTexture ||
-                 material.normalTexture);
+    EXPECT_FALSE(material.doubleSided || material.unlit || material.textures[TextureRole::BaseColor] ||
+                 material.textures[TextureRole::Normal]);
 }
 
 TEST(GltfMaterial, APrimitiveWithoutOneGetsADefault) {
@@ -69,22 +73,23 @@ TEST(GltfMaterial, AllIsRead) {
                              {{"KHR_materials_unlit", Json::object()},
                               {"KHR_materials_emissive_strength", {{"emissiveStrength", 4}}}}}});
     EXPECT_EQ(material.name, "paint");
-    EXPECT_EQ(material.baseColor, glm::vec4(0.1f, 0.2f, 0.3f, 0.4f));
-    EXPECT_FLOAT_EQ(material.metallic, 0.5f);
-    EXPECT_FLOAT_EQ(material.roughness, 0.6f);
-    EXPECT_FLOAT_EQ(material.normalScale, 0.5f);
-    EXPECT_FLOAT_EQ(material.occlusionStrength, 0.25f);
-    EXPECT_EQ(material.emissive, glm::vec3(4, 2, 0));
+    EXPECT_EQ(material.factors.baseColor, (franken::Float4{0.1f, 0.2f, 0.3f, 0.4f}));
+    EXPECT_FLOAT_EQ(material.factors.metallic, 0.5f);
+    EXPECT_FLOAT_EQ(material.factors.roughness, 0.6f);
+    EXPECT_FLOAT_EQ(material.factors.normalScale, 0.5f);
+    EXPECT_FLOAT_EQ(material.factors.occlusionStrength, 0.25f);
+    EXPECT_EQ(material.factors.emissive, (franken::Float3{4, 2, 0}));
     EXPECT_EQ(material.alphaMode, AlphaMode::Mask);
-    EXPECT_FLOAT_EQ(material.alphaCutoff, 0.7f);
+    EXPECT_FLOAT_EQ(material.factors.alphaCutoff, 0.7f);
     EXPECT_TRUE(material.doubleSided);
     EXPECT_TRUE(material.unlit);
-    for (const auto* use : {&material.baseColorTexture, &material.metallicRoughnessTexture,
-                            &material.normalTexture, &material.occlusionTexture, &material.emissiveTexture}) {
-        EXPECT_EQ(use->texture, texture);
-        EXPECT_EQ(use->uvSet, 1);
-        EXPECT_FALSE(use->transformed);
-    }
+    for (const TextureRoleRow& role : textureRoles())
+        if (!role.gltf.empty()) {
+            const TextureRef& use = material.textures[role.role];
+            EXPECT_EQ(use.texture, texture) << role.name;
+            EXPECT_EQ(use.uvSet, 1) << role.name;
+            EXPECT_FALSE(use.transformed) << role.name;
+        }
 }
 
 struct TransformRow {
@@ -101,7 +106,7 @@ TEST_P(TextureTransform, MovesUv) {
     const Json use{{"index", file.appendTexture()},
                    {"extensions", {{"KHR_texture_transform", GetParam().extension}}}};
     const Material material = onlyMaterial(file, {{"emissiveTexture", use}});
-    const glm::vec2 uv(material.emissiveTexture.transform * glm::vec3(GetParam().uv, 1));
+    const glm::vec2 uv(material.textures[TextureRole::Emissive].transform * glm::vec3(GetParam().uv, 1));
     EXPECT_NEAR(uv.x, GetParam().expected.x, 1e-6);
     EXPECT_NEAR(uv.y, GetParam().expected.y, 1e-6);
 }
@@ -125,22 +130,22 @@ TEST(GltfMaterial, TextureTransformOverridesTheUvSet) {
     const Json use{{"index", file.appendTexture()},
                    {"extensions", {{"KHR_texture_transform", {{"texCoord", 1}, {"scale", {2, 2}}}}}}};
     const Material material = onlyMaterial(file, {{"emissiveTexture", use}});
-    EXPECT_EQ(material.emissiveTexture.uvSet, 1);
-    EXPECT_TRUE(material.emissiveTexture.transformed);
+    EXPECT_EQ(material.textures[TextureRole::Emissive].uvSet, 1);
+    EXPECT_TRUE(material.textures[TextureRole::Emissive].transformed);
 }
 
 TEST(GltfMaterial, AThirdUvSetIsDropped) {
     GltfFile file;
     const Material material =
         onlyMaterial(file, {{"emissiveTexture", {{"index", file.appendTexture()}, {"texCoord", 2}}}});
-    EXPECT_FALSE(material.emissiveTexture);
+    EXPECT_FALSE(material.textures[TextureRole::Emissive]);
     EXPECT_EQ(file.warnings.size(), 1u);
 }
 
 TEST(GltfMaterial, FactorsAreClampedWithAWarning) {
     GltfFile file;
     const Material material = onlyMaterial(file, {{"pbrMetallicRoughness", {{"metallicFactor", 1.5}}}});
-    EXPECT_EQ(material.metallic, 1);
+    EXPECT_EQ(material.factors.metallic, 1);
     EXPECT_EQ(file.warnings.size(), 1u);
 }
 
@@ -166,7 +171,7 @@ TEST(GltfTexture, ABrokenOrMissingImageIsLeftOut) {
         const int texture = file.appendTexture();
         file.json["images"][0]["uri"] = uri;
         const Material material = onlyMaterial(file, {{"normalTexture", {{"index", texture}}}});
-        EXPECT_FALSE(material.normalTexture) << uri;
+        EXPECT_FALSE(material.textures[TextureRole::Normal]) << uri;
         ASSERT_EQ(file.warnings.size(), 1u) << uri;
         EXPECT_NE(file.warnings[0].find("/images/0"), std::string::npos) << file.warnings[0];
     }
@@ -187,7 +192,7 @@ TEST(GltfTexture, TheLimitOfSizeIsKept) {
     options.maxImageSize = 0;
     const auto scene = file.load(options);
     ASSERT_TRUE(scene);
-    EXPECT_FALSE(scene->materials[0].emissiveTexture);
+    EXPECT_FALSE(scene->materials[0].textures[TextureRole::Emissive]);
     EXPECT_NE(file.warnings.back().find("image.size"), std::string::npos);
 }
 

@@ -292,18 +292,19 @@ TEST(GltfMended, UvsOfThreeNumbersAreTheFirstTwo) {
 TEST(GltfMended, WithoutItsTextureNothingGlows) {
     GltfFile file = sound();
     file.json["materials"][0]["emissiveFactor"] = {1, 1, 1};
-    EXPECT_EQ(file.loaded().materials[0].emissive, glm::vec3(1));
+    EXPECT_EQ(file.loaded().materials[0].factors.emissive, (franken::Float3{1, 1, 1}));
     file.append("images", {{"uri", "missing.png"}});
     file.append("textures", {{"source", 0}});
     file.append("textures", Json::object());
     for (const int texture : {0, 1}) {
         file.json["materials"][0]["emissiveTexture"] = {{"index", texture}};
-        EXPECT_EQ(file.loaded().materials[0].emissive, glm::vec3(0)) << texture;
+        EXPECT_EQ(file.loaded().materials[0].factors.emissive, (franken::Float3{0, 0, 0})) << texture;
     }
     file.json["materials"][0]["emissiveTexture"] = {{"index", file.appendTexture()}, {"texCoord", 2}};
-    EXPECT_EQ(file.loaded().materials[0].emissive, glm::vec3(0)) << "a third set of coordinates";
+    EXPECT_EQ(file.loaded().materials[0].factors.emissive, (franken::Float3{0, 0, 0}))
+        << "a third set of coordinates";
     file.json["materials"][0]["emissiveTexture"]["texCoord"] = 0;
-    EXPECT_EQ(file.loaded().materials[0].emissive, glm::vec3(1));
+    EXPECT_EQ(file.loaded().materials[0].factors.emissive, (franken::Float3{1, 1, 1}));
 }
 
 TEST(GltfMended, DataUrisInAllTheirForms) {

@@ -50,7 +50,7 @@ TEST(GltfVariants, MaterialsOfVariantsAreReadWithTheirImagesAndTangents) {
     file.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_0"] =
         file.floats("VEC2", {0, 0, 1, 0, 0, 1});
     const Scene scene = file.loaded();
-    EXPECT_TRUE(scene.materials.at(2).normalTexture);
+    EXPECT_TRUE(scene.materials.at(2).textures[franken::TextureRole::Normal]);
     EXPECT_EQ(scene.meshes.at(0).primitives.at(0).tangents.size(), 3u);
 }
 

@@ -132,8 +132,8 @@ TEST(Tangents, AgreeWithThoseOfOthers) {
         Difference difference;
         for (const auto& mesh : scene->meshes)
             for (const Primitive& primitive : mesh.primitives) {
-                const auto& map =
-                    scene->materials[static_cast<std::size_t>(primitive.material)].normalTexture;
+                const auto& map = scene->materials[static_cast<std::size_t>(primitive.material)]
+                                      .textures[franken::TextureRole::Normal];
                 if (map && !primitive.tangents.empty())
                     compare(primitive, map, difference);
             }

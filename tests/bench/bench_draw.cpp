@@ -32,10 +32,10 @@ Scene manyObjects() {
     test::SceneBuilder builder;
     for (int i = 0; i < kMaterials; ++i) {
         Material material;
-        material.roughness = 0.3f + 0.05f * static_cast<float>(i);
-        material.baseColorTexture.texture =
+        material.factors.roughness = 0.3f + 0.05f * static_cast<float>(i);
+        material.textures[TextureRole::BaseColor].texture =
             builder.addTexture(differing(test::checkers(4, 2, glm::vec4(1), glm::vec4(0.3f)), i));
-        material.normalTexture.texture = builder.addTexture(differing(test::bumps(4, 1), i));
+        material.textures[TextureRole::Normal].texture = builder.addTexture(differing(test::bumps(4, 1), i));
         builder.addMaterial(material);
     }
     for (int mesh = 0; mesh < kMeshes; ++mesh) {

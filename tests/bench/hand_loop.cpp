@@ -125,13 +125,9 @@ GLuint HandLoop::makeTexture(const Scene& scene, int texture) {
 
 void HandLoop::addMaterial(const Scene& scene, const franken::Material& material) {
     Material made{};
-    made.baseColorTexture = makeTexture(scene, material.baseColorTexture.texture);
-    made.normalTexture = makeTexture(scene, material.normalTexture.texture);
-    MaterialFactors factors;
-    std::copy_n(glm::value_ptr(material.baseColor), 4, factors.baseColor.begin());
-    factors.metallic = material.metallic;
-    factors.roughness = material.roughness;
-    const MaterialBlock block = packMaterial(factors, Brdf::Gltf, 1);
+    made.baseColorTexture = makeTexture(scene, material.textures[TextureRole::BaseColor].texture);
+    made.normalTexture = makeTexture(scene, material.textures[TextureRole::Normal].texture);
+    const MaterialBlock block = packMaterial(material.factors, Brdf::Gltf, 1);
     made.normalScale = block.normalScale;
     copy(block.baseColor, made.baseColor);
     copy(block.reflectance, made.reflectance);

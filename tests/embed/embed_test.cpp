@@ -42,12 +42,12 @@ Scene toScene(const World& world) {
         builder.addTexture({"", world.ridges.size, world.ridges.size, world.ridges.texels}, Filter::Linear);
     for (const Thing& thing : world.things) {
         Material material;
-        material.baseColor = glm::vec4(thing.paint.color, 1);
-        material.metallic = thing.paint.metallic;
-        material.roughness = thing.paint.roughness;
+        material.factors.baseColor = {thing.paint.color.r, thing.paint.color.g, thing.paint.color.b, 1};
+        material.factors.metallic = thing.paint.metallic;
+        material.factors.roughness = thing.paint.roughness;
         if (thing.paint.textured) {
-            material.baseColorTexture.texture = tiles;
-            material.normalTexture.texture = ridges;
+            material.textures[TextureRole::BaseColor].texture = tiles;
+            material.textures[TextureRole::Normal].texture = ridges;
         }
         builder.add(toPrimitive(thing.mesh), builder.addMaterial(material), thing.place);
     }

@@ -79,7 +79,7 @@ TEST_P(Readme, ASkyLightsAndIsSeen) {
 TEST_P(Readme, ThingsChange) {
     Scene scene = this->scene();
     Material red;
-    red.baseColor = {1, 0, 0, 1};
+    red.factors.baseColor = {1, 0, 0, 1};
     scene.materials.push_back(red);
     scene.variants = {"red"};
     scene.meshes[0].primitives[0].variantMaterials = {1};

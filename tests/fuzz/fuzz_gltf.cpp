@@ -43,10 +43,8 @@ void check(const Scene& scene) {
         require(texture.image == -1 || static_cast<std::size_t>(texture.image) < scene.images.size(),
                 "an image");
     for (const Material& material : scene.materials)
-        for (const TextureRef* ref :
-             {&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-              &material.occlusionTexture, &material.emissiveTexture})
-            require(!*ref || static_cast<std::size_t>(ref->texture) < scene.textures.size(), "a texture");
+        for (const TextureRef& ref : material.textures)
+            require(!ref || static_cast<std::size_t>(ref.texture) < scene.textures.size(), "a texture");
     for (const Image& image : scene.images)
         require(image.rgba.size() ==
                     std::size_t{4} * static_cast<unsigned>(image.width) * static_cast<unsigned>(image.height),

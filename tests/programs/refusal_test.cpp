@@ -169,8 +169,8 @@ TEST_P(RefusalTest, ABlendedSurfaceStaysTransparentOnEveryRung) {
     SceneBuilder builder;
     Material material = tiledMaterial(builder);
     material.alphaMode = AlphaMode::Blend;
-    material.baseColor = {0, 1, 0, 0.25f};
-    material.baseColorTexture = {};
+    material.factors.baseColor = {0, 1, 0, 0.25f};
+    material.textures[TextureRole::BaseColor] = {};
     builder.add(square(), builder.addMaterial(material));
     builder.addSun({0, 0, -1}, {1, 1, 1}, 1);
     Shot shot{.scene = builder.scene, .camera = {}, .lighting = lightingOf(builder.scene)};
@@ -203,7 +203,7 @@ TEST_P(RefusalTest, WhereNothingWorksTheErrorSaysSo) {
 TEST_P(RefusalTest, ABlackSurfaceIsDrawnAndNotTakenForAFailure) {
     Shot shot = richShot();
     shot.scene.materials[0] = {};
-    shot.scene.materials[0].baseColor = {0, 0, 0, 1};
+    shot.scene.materials[0].factors.baseColor = {0, 0, 0, 1};
     shot.lighting = {};
     EXPECT_TRUE(Kiosk(gl(), surface()).draw(shot).steps.empty());
 }

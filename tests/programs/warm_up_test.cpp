@@ -156,7 +156,7 @@ TEST_P(WarmUpTest, ABlendedSurfaceAndItsLastRungAreDrawnBlended) {
     SceneBuilder builder;
     Material material;
     material.alphaMode = AlphaMode::Blend;
-    material.baseColor.a = 0.5f;
+    material.factors.baseColor[3] = 0.5f;
     builder.add(square(), builder.addMaterial(material));
     builder.addSun({0, 0, -1}, {1, 1, 1}, 1);
     const Lighting lighting = lightingOf(builder.scene);

@@ -53,7 +53,7 @@ Scene showing(const franken::Image& image, Filter filter, Wrap wrapS, Wrap wrapT
     SceneBuilder builder;
     Material material;
     material.unlit = true;
-    material.baseColorTexture.texture = builder.addTexture(image, filter, wrapS);
+    material.textures[TextureRole::BaseColor].texture = builder.addTexture(image, filter, wrapS);
     builder.scene.textures[0].wrapT = wrapT;
     builder.scene.textures[0].magFilter = filter == Filter::Nearest ? Filter::Nearest : Filter::Linear;
     Primitive primitive = square();

@@ -33,9 +33,9 @@ Scene pair() {
     SceneBuilder builder;
     for (const float x : {-0.6f, 0.6f}) {
         Material material;
-        material.roughness = 0.6f;
+        material.factors.roughness = 0.6f;
         material.name = x < 0 ? "left" : "right";
-        material.baseColorTexture.texture = builder.addTexture(checkers(32, 4, kRed, glm::vec4(1)));
+        material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(32, 4, kRed, glm::vec4(1)));
         glm::mat4 world(0.5f);
         world[3] = glm::vec4(x, 0, 0, 1);
         builder.add(sphere(8), builder.addMaterial(material), world);
@@ -61,9 +61,9 @@ TEST_P(ChangesTest, EqualGeometryAndImagesAreUploadedOnce) {
     const Primitive ball = sphere(20);
     for (int i = 0; i < 500; ++i) {
         Material material;
-        material.roughness = 0.5f;
+        material.factors.roughness = 0.5f;
         if (i < 50)
-            material.baseColorTexture.texture = builder.addTexture(checkers(16, 4, kRed, kGreen));
+            material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(16, 4, kRed, kGreen));
         builder.add(ball, i < 50 ? builder.addMaterial(material) : 0,
                     glm::translate(glm::mat4(1), {i, 0, 0}));
     }
@@ -90,8 +90,8 @@ TEST_P(ChangesTest, FactorsUploadUniformsAlone) {
     Result<Material> material = renderer.materialOf(model, 1);
     ASSERT_TRUE(material);
     const unsigned compiles = renderer.programCounters().compiles;
-    material->baseColor = kBlue;
-    material->roughness = 0.2f;
+    material->factors.baseColor = toFloat4(kBlue);
+    material->factors.roughness = 0.2f;
     recordedCalls().clear();
     ASSERT_TRUE(renderer.setMaterial(model, 1, *material));
     const Picture after = drawn(renderer);
@@ -115,10 +115,10 @@ TEST_P(ChangesTest, AnotherProgramIsAMissAsAnyOther) {
     drawn(renderer);
     renderer.takeMisses();
     Material material = *renderer.materialOf(model, 0);
-    material.emissive = {0.1f, 0.2f, 0.5f};
+    material.factors.emissive = {0.1f, 0.2f, 0.5f};
     material.alphaMode = AlphaMode::Blend;
     material.doubleSided = true;
-    material.baseColor.a = 0.5f;
+    material.factors.baseColor[3] = 0.5f;
     Scene expected = pair();
     expected.materials[0] = material;
     ASSERT_TRUE(renderer.setMaterial(model, 0, material));
@@ -166,7 +166,7 @@ TEST_P(ChangesTest, ChangesOutlastALostContext) {
     Renderer renderer(gl());
     const ModelId model = shown(renderer, pair(), [] { return Result<Scene>(pair()); });
     Material material = *renderer.materialOf(model, 0);
-    material.baseColor = kGreen;
+    material.factors.baseColor = toFloat4(kGreen);
     ASSERT_TRUE(renderer.setMaterial(model, 0, material));
     ASSERT_TRUE(renderer.setTexture(model, 1, checkers(32, 2, kBlue, kGreen)));
     int reads = 0;
@@ -179,11 +179,11 @@ TEST_P(ChangesTest, ChangesOutlastALostContext) {
     replaceContext({48, 32});
     replaceContext({64, 64});
     renderer.contextLost();
-    material.roughness = 0.9f;
+    material.factors.roughness = 0.9f;
     ASSERT_TRUE(renderer.setMaterial(model, 0, material)) << "without a context";
     ASSERT_TRUE(renderer.setVisible(*second, false));
     ASSERT_TRUE(renderer.setVisible(*second, true));
-    material.roughness = 0.6f;
+    material.factors.roughness = 0.6f;
     ASSERT_TRUE(renderer.setMaterial(model, 0, material));
     ASSERT_TRUE(renderer.restore(gl()));
     EXPECT_EQ(reads, 1);

@@ -22,9 +22,10 @@ namespace {
 Scene balls() {
     SceneBuilder builder;
     Material plain, glass, night;
-    plain.baseColorTexture.texture = builder.addTexture(checkers(16, 4, glm::vec4(1), glm::vec4(0.5f)));
+    plain.textures[TextureRole::BaseColor].texture =
+        builder.addTexture(checkers(16, 4, glm::vec4(1), glm::vec4(0.5f)));
     glass.alphaMode = AlphaMode::Blend;
-    night.emissive = {1, 0.5f, 0.2f};
+    night.factors.emissive = {1, 0.5f, 0.2f};
     builder.add(sphere(4), builder.addMaterial(plain));
     builder.add(sphere(4), builder.addMaterial(glass), glm::translate(glm::mat4(1), {1, 0, 0}));
     builder.scene.variants = {"night"};
@@ -70,7 +71,7 @@ struct Changing {
     Result<void> draw(int frame) {
         const double angle = 0.01 * frame;
         const glm::dmat4 world = glm::rotate(glm::dmat4(1), angle, glm::dvec3(0, 1, 0));
-        material.baseColor.r = 0.5f + 0.4f * static_cast<float>(std::sin(angle));
+        material.factors.baseColor[0] = 0.5f + 0.4f * static_cast<float>(std::sin(angle));
         lighting.skyRotation = glm::angleAxis(angle, glm::dvec3(0, 1, 0));
         renderer.setLighting(lighting);
         FirstOf first;
@@ -79,7 +80,7 @@ struct Changing {
         first.add(sample(scene, 0, 0.01 * frame, pose, Ends::Loop));
         first.add(renderer.setPose(places[1], pose));
         first.add(renderer.setMaterial(model, 0, material));
-        const std::array<Float4, 1> tint{{{1, material.baseColor.r, 1, 1}}};
+        const std::array<Float4, 1> tint{{{1, material.factors.baseColor[0], 1, 1}}};
         first.add(renderer.setEffectValues(tint));
         first.add(renderer.setEffectValues(
             places[2], std::span<const Float4>(tint).first(static_cast<std::size_t>(frame % 2))));

@@ -45,11 +45,11 @@ Shot manyBalls() {
     std::vector<int> materials;
     for (int i = 0; i < 6; ++i) {
         Material material;
-        material.baseColor = glm::vec4(0.2f + 0.1f * static_cast<float>(i), 0.5f, 0.4f, i == 5 ? 0.5f : 1.0f);
+        material.factors.baseColor = {0.2f + 0.1f * static_cast<float>(i), 0.5f, 0.4f, i == 5 ? 0.5f : 1.0f};
         material.alphaMode = i == 5 ? AlphaMode::Blend : AlphaMode::Opaque;
         material.doubleSided = i == 4;
         if (i % 2 == 0)
-            material.baseColorTexture.texture =
+            material.textures[TextureRole::BaseColor].texture =
                 builder.addTexture(checkers(8, 4, glm::vec4(1), glm::vec4(0.5f)));
         materials.push_back(builder.addMaterial(material));
     }
@@ -151,7 +151,7 @@ TEST_P(DrawingTest, ALoneObjectFollowsTheCamera) {
     for (const AlphaMode alpha : {AlphaMode::Opaque, AlphaMode::Blend}) {
         SceneBuilder builder;
         Material material;
-        material.baseColor.a = 0.5f;
+        material.factors.baseColor[3] = 0.5f;
         material.alphaMode = alpha;
         builder.add(sphere(6), builder.addMaterial(material), at(0, 0, -4));
         builder.addSun({-1, -1, -1}, {1, 1, 1}, 3);

@@ -53,7 +53,7 @@ struct Stage {
 Material unlit(const glm::vec4& color) {
     Material material;
     material.unlit = true;
-    material.baseColor = color;
+    material.factors.baseColor = toFloat4(color);
     return material;
 }
 
@@ -126,7 +126,7 @@ TEST_P(EffectsTest, TheBaseColourHookIsAFactor) {
         setWith("tint", "//! declarations\nuniform vec4 uTint; // user: factor\n"
                         "//! base-color\nvec4 onBaseColor(vec4 base) {\n  return base * uTint;\n}\n");
     Material material;
-    material.baseColor = {0.8f, 0.4f, 0.2f, 1};
+    material.factors.baseColor = {0.8f, 0.4f, 0.2f, 1};
     SceneBuilder builder;
     builder.add(square(), builder.addMaterial(material));
     builder.addSun({0, 0, -1}, {1, 1, 1}, 3);
@@ -136,7 +136,7 @@ TEST_P(EffectsTest, TheBaseColourHookIsAFactor) {
     ASSERT_TRUE(stage.renderer.setEffectValues({{Float4{0.5f, 1, 0.25f, 1}}}));
     ASSERT_TRUE(stage.draw());
     const auto codes = codesOf(readBack());
-    shot.scene.materials[0].baseColor *= glm::vec4(0.5f, 1, 0.25f, 1);
+    shot.scene.materials[0].factors.baseColor = {0.4f, 0.4f, 0.05f, 1};
     const auto expected = codesOf(draw(shot));
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(codes[i], expected[i], 1);
@@ -152,7 +152,7 @@ TEST_P(EffectsTest, TheSurfaceHookIsTheMaterialsOwnFactors) {
     for (const Target form : kForms)
         for (const Brdf brdf : {Brdf::Gltf, Brdf::Seed, Brdf::Fast, Brdf::Schlick}) {
             Material material;
-            material.baseColor = {0.5f, 0.4f, 0.3f, 1};
+            material.factors.baseColor = {0.5f, 0.4f, 0.3f, 1};
             SceneBuilder builder;
             builder.add(square(), builder.addMaterial(material));
             builder.addSun({0.2f, -0.3f, -1}, {1, 1, 1}, 2);
@@ -166,8 +166,8 @@ TEST_P(EffectsTest, TheSurfaceHookIsTheMaterialsOwnFactors) {
             ASSERT_TRUE(stage.renderer.setEffectValues({{Float4{0.25f, 0.45f, 0.5f, 0}}}));
             ASSERT_TRUE(stage.draw());
             EXPECT_NE(codesOf(readBack()), codes) << "another normal";
-            shot.scene.materials[0].metallic = 0.25f;
-            shot.scene.materials[0].roughness = 0.45f;
+            shot.scene.materials[0].factors.metallic = 0.25f;
+            shot.scene.materials[0].factors.roughness = 0.45f;
             const auto expected = codesOf(draw(shot));
             for (std::size_t i = 0; i < 3; ++i)
                 EXPECT_NEAR(codes[i], expected[i], 1) << static_cast<int>(brdf);

@@ -20,7 +20,7 @@ Shot ramp() {
     SceneBuilder builder;
     Material material;
     material.unlit = true;
-    material.baseColorTexture.texture =
+    material.textures[TextureRole::BaseColor].texture =
         builder.addTexture(paint(64, [](glm::vec2 uv) { return glm::vec4(glm::vec3(uv.x), 1); }),
                            Filter::Nearest, Wrap::ClampToEdge);
     builder.add(square(), builder.addMaterial(material));
@@ -70,11 +70,11 @@ TEST_P(Decoding, GoesByTheRoleOfATexture) {
     const int grey =
         builder.addTexture(paint(4, [](glm::vec2) { return glm::vec4(glm::vec3(128 / 255.0f), 1); }));
     Material material;
-    material.baseColorTexture.texture = grey;
-    material.metallicRoughnessTexture.texture = grey;
-    material.occlusionTexture.texture = grey;
-    material.emissiveTexture.texture = grey;
-    material.emissive = glm::vec3(1);
+    material.textures[TextureRole::BaseColor].texture = grey;
+    material.textures[TextureRole::MetallicRoughness].texture = grey;
+    material.textures[TextureRole::Occlusion].texture = grey;
+    material.textures[TextureRole::Emissive].texture = grey;
+    material.factors.emissive = {1, 1, 1};
     builder.add(square(), builder.addMaterial(material));
     Shot shot{.scene = builder.scene, .camera = {}, .lighting = {}};
     lookAtSquare(shot.camera);

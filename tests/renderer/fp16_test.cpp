@@ -36,8 +36,8 @@ Gl limaLike(const Gl& gl) {
 /// In 16 bits roughness starts at 0.3, by factor and by texture.
 Scene roughened(Scene scene) {
     for (Material& material : scene.materials) {
-        material.roughness = std::max(material.roughness, kMinRoughnessFp16);
-        if (const int texture = material.metallicRoughnessTexture.texture; texture >= 0) {
+        material.factors.roughness = std::max(material.factors.roughness, kMinRoughnessFp16);
+        if (const int texture = material.textures[TextureRole::MetallicRoughness].texture; texture >= 0) {
             const int image = scene.textures[static_cast<std::size_t>(texture)].image;
             std::vector<std::uint8_t>& texels = scene.images[static_cast<std::size_t>(image)].rgba;
             constexpr std::uint8_t kFloor = 77; // 0.3, up to the next code
@@ -134,7 +134,7 @@ TEST_P(Fp16, ProgramsFor32BitsFailThere) {
     for (const PictureRow& row : pictureRows())
         if (row.name == std::string_view("metal")) {
             Shot shot = row.make();
-            shot.scene.materials[0].roughness = 0.25f;
+            shot.scene.materials[0].factors.roughness = 0.25f;
             const Picture expected = draw(shot, Precision::Fp32);
             drawShot(limaLike(gl()), surface(), shot, Capabilities::query(gl()));
             EXPECT_GT(darkPixels(readBack(), expected), 100u);

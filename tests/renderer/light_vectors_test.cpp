@@ -54,13 +54,13 @@ Scene makeScene(int segments, int rings, bool normalMap) {
     scene.meshes.push_back({"sphere", {makeSphere(segments, rings)}});
     scene.instances.push_back({"sphere", 0, glm::mat4(1.0f), false});
     Material material;
-    material.baseColor = {0.8f, 0.5f, 0.3f, 1};
-    material.metallic = 0.3f;
-    material.roughness = 0.3f;
+    material.factors.baseColor = {0.8f, 0.5f, 0.3f, 1};
+    material.factors.metallic = 0.3f;
+    material.factors.roughness = 0.3f;
     if (normalMap) {
         scene.images.push_back(makeWaves());
         scene.textures.push_back({0});
-        material.normalTexture.texture = 0;
+        material.textures[TextureRole::Normal].texture = 0;
     }
     scene.materials.push_back(material);
     return scene;

@@ -23,13 +23,14 @@ struct Row {
 const Row kRows[] = {
     {"what glows",
      [](Shot& shot) {
-         shot.scene.materials[0].emissive = {0.4f, 0.3f, 0.2f};
+         shot.scene.materials[0].factors.emissive = {0.4f, 0.3f, 0.2f};
      }},
     {"a texture that glows",
      [](Shot& shot) {
          SceneBuilder builder{.scene = shot.scene};
-         builder.scene.materials[0].emissive = {0.4f, 0.3f, 0.2f};
-         builder.scene.materials[0].emissiveTexture.texture = builder.addTexture(texel(255, 200, 255));
+         builder.scene.materials[0].factors.emissive = {0.4f, 0.3f, 0.2f};
+         builder.scene.materials[0].textures[TextureRole::Emissive].texture =
+             builder.addTexture(texel(255, 200, 255));
          shot.scene = builder.scene;
          shot.look.decode = Decode::Fast;
      }},
@@ -52,7 +53,7 @@ const Row kRows[] = {
          shot.lighting.ambient.kind = Ambient::Sky;
          shot.lighting.reflection = Reflection::Lookup;
          shot.reflection = ReflectionMaps{{texel(255, 220, 180, 100), 2}, reflectionLookup()};
-         shot.scene.materials[0].metallic = 0.5f;
+         shot.scene.materials[0].factors.metallic = 0.5f;
      }},
     {"a sky behind the model",
      [](Shot& shot) {
@@ -63,7 +64,7 @@ const Row kRows[] = {
 
 Shot shotOf(const Row& row) {
     Material material;
-    material.metallic = 0;
+    material.factors.metallic = 0;
     Shot shot = filledBy(material);
     row.light(shot);
     return shot;
@@ -132,8 +133,8 @@ INSTANTIATE_TEST_SUITE_P(Backends, LightingTest, allBackends(), backendName);
 
 TEST_P(LightingTest, EachChangeIsSeenInTheNextFrame) {
     Material material;
-    material.metallic = 0.5f;
-    material.roughness = 0.4f;
+    material.factors.metallic = 0.5f;
+    material.factors.roughness = 0.4f;
     Shot shot = filledBy(material);
     shot.reflection = ReflectionMaps{{texel(255, 120, 60, 100), 2}, reflectionLookup()};
     shot.lighting = reflecting();

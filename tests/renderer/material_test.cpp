@@ -40,12 +40,12 @@ TEST(MaterialPlan, FactorsAlone) { EXPECT_EQ(nameOf({}), "ambient+sun1"); }
 
 TEST(MaterialPlan, AllRoles) {
     Material material;
-    material.baseColorTexture.texture = 0;
-    material.metallicRoughnessTexture.texture = 1;
-    material.occlusionTexture.texture = 2;
-    material.normalTexture.texture = 1;
-    material.emissiveTexture.texture = 0;
-    material.emissive = glm::vec3(1);
+    material.textures[TextureRole::BaseColor].texture = 0;
+    material.textures[TextureRole::MetallicRoughness].texture = 1;
+    material.textures[TextureRole::Occlusion].texture = 2;
+    material.textures[TextureRole::Normal].texture = 1;
+    material.textures[TextureRole::Emissive].texture = 0;
+    material.factors.emissive = {1, 1, 1};
     material.alphaMode = AlphaMode::Mask;
     material.doubleSided = true;
     EXPECT_EQ(nameOf(material), "basecolor.metalrough.normal.occlusion.emissive.mask.double+ambient+sun1");
@@ -53,28 +53,38 @@ TEST(MaterialPlan, AllRoles) {
 
 TEST(MaterialPlan, OcclusionInThePackedTextureIsFetchedOnce) {
     Material material;
-    material.metallicRoughnessTexture.texture = 1;
-    material.occlusionTexture.texture = 1;
+    material.textures[TextureRole::MetallicRoughness].texture = 1;
+    material.textures[TextureRole::Occlusion].texture = 1;
     EXPECT_EQ(nameOf(material), "metalrough.occlusion-packed+ambient+sun1");
-    material.occlusionTexture.uvSet = 1;
+    material.textures[TextureRole::Occlusion].uvSet = 1;
     EXPECT_EQ(nameOf(material), "metalrough.occlusion.occlusion-uv1+ambient+sun1");
+}
+
+TEST(MaterialPlan, MetalnessAndRoughnessMayHaveATextureEach) {
+    Material material;
+    material.textures[TextureRole::Roughness].texture = 1;
+    EXPECT_EQ(nameOf(material), "metalrough-separate+ambient+sun1");
+    material.textures[TextureRole::Metallic].texture = 0;
+    const MaterialPlan plan = planMaterial(sceneWith(material), 0, kAll);
+    EXPECT_EQ(plan.textures[rowOf(TextureRole::Metallic).unit], 0);
+    EXPECT_EQ(plan.textures[rowOf(TextureRole::Roughness).unit], 1);
 }
 
 TEST(MaterialPlan, ASecondTransformOfTheSameSetIsASecondStream) {
     Material material;
-    material.baseColorTexture.texture = 0;
-    material.normalTexture = {.texture = 1, .transform = doubled(), .transformed = true};
+    material.textures[TextureRole::BaseColor].texture = 0;
+    material.textures[TextureRole::Normal] = {.texture = 1, .transform = doubled(), .transformed = true};
     const MaterialPlan plan = planMaterial(sceneWith(material), 0, kAll);
     EXPECT_EQ(plan.permutation.normalUv, UvStream::Uv1);
     EXPECT_TRUE(plan.permutation.uv1Transform);
     EXPECT_FALSE(plan.permutation.uv0Transform);
     EXPECT_EQ(plan.uvSets, (std::array{0, 0}));
-    EXPECT_EQ(plan.factors.uv1Transform, (Float9{2, 0, 0, 0, 2, 0, 0, 0, 1}));
+    EXPECT_EQ(plan.uvTransforms.uv1, (Float9{2, 0, 0, 0, 2, 0, 0, 0, 1}));
 }
 
 TEST(MaterialPlan, OnlyTheSecondSetIsTheFirstStream) {
     Material material;
-    material.baseColorTexture = {.texture = 0, .uvSet = 1};
+    material.textures[TextureRole::BaseColor] = {.texture = 0, .uvSet = 1};
     const MaterialPlan plan = planMaterial(sceneWith(material), 0, kAll);
     EXPECT_EQ(plan.permutation.baseColorUv, UvStream::Uv0);
     EXPECT_EQ(plan.uvSets[0], 1);
@@ -83,9 +93,9 @@ TEST(MaterialPlan, OnlyTheSecondSetIsTheFirstStream) {
 TEST(MaterialPlan, AThirdStreamIsLeftOutWithAWarning) {
     Material material;
     material.name = "greedy";
-    material.baseColorTexture.texture = 0;
-    material.metallicRoughnessTexture = {.texture = 1, .uvSet = 1};
-    material.occlusionTexture = {.texture = 2, .transform = doubled(), .transformed = true};
+    material.textures[TextureRole::BaseColor].texture = 0;
+    material.textures[TextureRole::MetallicRoughness] = {.texture = 1, .uvSet = 1};
+    material.textures[TextureRole::Occlusion] = {.texture = 2, .transform = doubled(), .transformed = true};
     std::string said;
     const Log log = [&](LogLevel, std::string_view message) { said += message; };
     EXPECT_EQ(nameOf(material, kAll, log), "basecolor.metalrough.metalrough-uv1+ambient+sun1");
@@ -95,8 +105,8 @@ TEST(MaterialPlan, AThirdStreamIsLeftOutWithAWarning) {
 
 TEST(MaterialPlan, TexturesWithoutCoordinatesAreLeftOut) {
     Material material;
-    material.baseColorTexture.texture = 0;
-    material.normalTexture.texture = 1;
+    material.textures[TextureRole::BaseColor].texture = 0;
+    material.textures[TextureRole::Normal].texture = 1;
     EXPECT_EQ(nameOf(material, {}), "ambient+sun1");
     EXPECT_EQ(nameOf(material, {.uv = {true, false}}), "basecolor+ambient+sun1");
 }
@@ -104,7 +114,7 @@ TEST(MaterialPlan, TexturesWithoutCoordinatesAreLeftOut) {
 TEST(MaterialPlan, UnlitNeedsNoLight) {
     Material material;
     material.unlit = true;
-    material.normalTexture = {.texture = 1, .transform = doubled(), .transformed = true};
+    material.textures[TextureRole::Normal] = {.texture = 1, .transform = doubled(), .transformed = true};
     EXPECT_EQ(nameOf(material), "unlit");
 }
 
@@ -112,7 +122,7 @@ TEST(ProgramUses, OfASceneAreListedOnce) {
     SceneBuilder builder;
     const int plain = builder.addMaterial({});
     Material grey;
-    grey.baseColor = glm::vec4(0.5f);
+    grey.factors.baseColor = {0.5f, 0.5f, 0.5f, 0.5f};
     const int other = builder.addMaterial(grey);
     builder.add(square(), plain);
     builder.add(square(), other);

@@ -80,13 +80,13 @@ const std::vector<Misuse> kScenes = {
     {"MeshBelowZero", "scene.data", addChanged([](Scene& s) { s.instances[0].mesh = -5; })},
     {"PlaceNotANumber", "scene.data", addChanged([](Scene& s) { s.instances[0].world[3][1] = kNan; })},
     {"TextureOutOfRange", "scene.data",
-     addChanged([](Scene& s) { s.materials[0].baseColorTexture.texture = 99; })},
+     addChanged([](Scene& s) { s.materials[0].textures[TextureRole::BaseColor].texture = 99; })},
     {"TextureBelowNone", "scene.data",
-     addChanged([](Scene& s) { s.materials[0].normalTexture.texture = -2; })},
+     addChanged([](Scene& s) { s.materials[0].textures[TextureRole::Normal].texture = -2; })},
     {"ThirdTextureCoordinates", "scene.data",
-     addChanged([](Scene& s) { s.materials[0].baseColorTexture.uvSet = 2; })},
+     addChanged([](Scene& s) { s.materials[0].textures[TextureRole::BaseColor].uvSet = 2; })},
     {"TransformNotANumber", "scene.data",
-     addChanged([](Scene& s) { s.materials[0].baseColorTexture.transform[0][0] = kNan; })},
+     addChanged([](Scene& s) { s.materials[0].textures[TextureRole::BaseColor].transform[0][0] = kNan; })},
     {"TextureWithoutImage", "scene.data", addChanged([](Scene& s) { s.textures[0].image = kNone; })},
     {"ImageOutOfRange", "scene.data", addChanged([](Scene& s) { s.textures[0].image = 50; })},
     {"WrapOfNoKind", "scene.data", addChanged([](Scene& s) { s.textures[0].wrapS = Wrap(9); })},
@@ -95,8 +95,18 @@ const std::vector<Misuse> kScenes = {
     {"HugeImageWithoutBytes", "scene.data",
      addChanged([](Scene& s) { s.images[0].width = s.images[0].height = 100'000; })},
     {"ImageOfNegativeSize", "scene.data", addChanged([](Scene& s) { s.images[0].width = -64; })},
-    {"FactorNotANumber", "scene.data", addChanged([](Scene& s) { s.materials[0].roughness = kNan; })},
-    {"NegativeEmission", "scene.data", addChanged([](Scene& s) { s.materials[0].emissive.g = -1; })},
+    {"FactorNotANumber", "scene.data", addChanged([](Scene& s) { s.materials[0].factors.roughness = kNan; })},
+    {"NegativeEmission", "scene.data", addChanged([](Scene& s) { s.materials[0].factors.emissive[1] = -1; })},
+    {"MetalnessInTwoTextures", "scene.data", addChanged([](Scene& s) {
+         MaterialTextures& textures = s.materials[0].textures;
+         textures[TextureRole::MetallicRoughness] = textures[TextureRole::Metallic] =
+             textures[TextureRole::BaseColor];
+     })},
+    {"RoughnessAtOtherCoordinates", "scene.data", addChanged([](Scene& s) {
+         MaterialTextures& textures = s.materials[0].textures;
+         textures[TextureRole::Metallic] = textures[TextureRole::Roughness] = textures[TextureRole::BaseColor];
+         textures[TextureRole::Roughness].uvSet = 1;
+     })},
     {"AlphaModeOfNoKind", "scene.data",
      addChanged([](Scene& s) { s.materials[0].alphaMode = AlphaMode(7); })},
 };

@@ -48,11 +48,11 @@ Scene flag(const glm::dmat4& world = glm::dmat4(1)) {
     Material cloth;
     cloth.doubleSided = true;
     cloth.name = "cloth";
-    cloth.baseColorTexture.texture = builder.addTexture(
+    cloth.textures[TextureRole::BaseColor].texture = builder.addTexture(
         paint(16, [](glm::vec2 uv) { return uv.x > 0.5f && uv.y > 0.5f ? kRed : kWhite; }));
     builder.add(square(), builder.addMaterial(cloth), glm::mat4(world));
     Material glass;
-    glass.baseColor = glm::vec4{0.2f, 0.3f, 1, 0.5f};
+    glass.factors.baseColor = {0.2f, 0.3f, 1, 0.5f};
     glass.alphaMode = AlphaMode::Blend;
     builder.add(sphere(6), builder.addMaterial(glass), glm::mat4(world * at(0.5, 0.5, 0)));
     builder.scene.instances[0].name = "flag";
@@ -64,12 +64,12 @@ Scene flag(const glm::dmat4& world = glm::dmat4(1)) {
 Scene lamp() {
     SceneBuilder builder;
     Material day;
-    day.baseColor = kGreen;
-    day.baseColorTexture.texture = builder.addTexture(checkers(16, 4, kWhite, kGreen));
+    day.factors.baseColor = toFloat4(kGreen);
+    day.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(16, 4, kWhite, kGreen));
     builder.add(sphere(8), builder.addMaterial(day));
     Material night;
-    night.baseColor = glm::vec4{0.1f, 0.1f, 0.1f, 1};
-    night.emissive = glm::vec3{0.9f, 0.4f, 0.1f};
+    night.factors.baseColor = {0.1f, 0.1f, 0.1f, 1};
+    night.factors.emissive = {0.9f, 0.4f, 0.1f};
     Primitive& ball = builder.scene.meshes[0].primitives[0];
     builder.scene.variants = {"day", "night"};
     ball.variantMaterials = {kNone, builder.addMaterial(night)};
@@ -211,8 +211,8 @@ TEST_P(PlacesTest, WhatIsWrongIsRefusedAndChangesNothing) {
     EXPECT_EQ(renderer.setMaterial(*model, 2, {}).error().code, "renderer.material");
     EXPECT_EQ(renderer.setMaterial(*model, -1, {}).error().code, "renderer.material");
     Material tooRough, untextured;
-    tooRough.roughness = 2;
-    untextured.baseColorTexture.texture = 7;
+    tooRough.factors.roughness = 2;
+    untextured.textures[TextureRole::BaseColor].texture = 7;
     EXPECT_EQ(renderer.setMaterial(*model, 0, tooRough).error().code, "renderer.material");
     EXPECT_EQ(renderer.setMaterial(*model, 0, untextured).error().code, "renderer.material");
     EXPECT_EQ(renderer.materialOf(*model, 5).error().code, "renderer.material");
@@ -295,9 +295,9 @@ TEST_P(PlacesTest, ATurnedSkyIsSeenAsByATurnedCamera) {
     static const ReflectionMaps maps{filterReflection(sky, kMinReflectionSize), reflectionLookup()}; // Slow.
     SceneBuilder builder;
     Material metal, clay;
-    metal.roughness = 0.2f;
-    clay.metallic = 0;
-    clay.roughness = 0.9f;
+    metal.factors.roughness = 0.2f;
+    clay.factors.metallic = 0;
+    clay.factors.roughness = 0.9f;
     builder.add(sphere(16), builder.addMaterial(metal), glm::mat4(at(-1, 0, 0)));
     builder.add(sphere(16), builder.addMaterial(clay), glm::mat4(at(1, 0, 0)));
     Lighting lighting;

@@ -261,9 +261,10 @@ bool isInterior(const ReadBack& picture, int x, int y) {
 TEST_P(MultisampleTest, TheInteriorOfAModelIsAsWithout) {
     SceneBuilder builder;
     Material material;
-    material.baseColorTexture.texture = builder.addTexture(checkers(64, 8, {1, 0.3f, 0.1f, 1}, glm::vec4(1)));
-    material.normalTexture.texture = builder.addTexture(bumps(64, 6));
-    material.roughness = 0.4f;
+    material.textures[TextureRole::BaseColor].texture =
+        builder.addTexture(checkers(64, 8, {1, 0.3f, 0.1f, 1}, glm::vec4(1)));
+    material.textures[TextureRole::Normal].texture = builder.addTexture(bumps(64, 6));
+    material.factors.roughness = 0.4f;
     Shot shot = tilted(material, builder);
     shot.lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
     shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.3f, 0.3f, 0.3f}};

@@ -39,7 +39,7 @@ Scene wall() {
     SceneBuilder builder;
     Material material;
     material.unlit = true;
-    material.baseColor = {1, 0, 0, 1};
+    material.factors.baseColor = {1, 0, 0, 1};
     builder.add(square(), builder.addMaterial(material),
                 glm::mat4{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -0.101f, 1});
     return builder.scene;
@@ -229,7 +229,7 @@ TEST_P(OverlayBudgetTest, ModelsAndPicturesMakeRoomForEachOther) {
     const Scene tiled = [] {
         SceneBuilder builder;
         Material material;
-        material.baseColorTexture.texture =
+        material.textures[TextureRole::BaseColor].texture =
             builder.addTexture(grey(30)); // With mipmaps: more than a picture.
         builder.add(square(), builder.addMaterial(material));
         return builder.scene;

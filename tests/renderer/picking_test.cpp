@@ -29,7 +29,7 @@ Scene objects() {
     for (const Color& color : kColors) {
         Material material;
         material.unlit = true;
-        material.baseColor = glm::vec4(color[0], color[1], color[2], 255) / 255.0f;
+        material.factors.baseColor = toFloat4(glm::vec4(color[0], color[1], color[2], 255) / 255.0f);
         builder.addMaterial(material);
     }
     builder.scene.materials[3].doubleSided = true;

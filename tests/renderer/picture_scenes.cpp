@@ -28,9 +28,9 @@ Shot shotOfScene(SceneBuilder builder) {
 
 Material plain(float metallic, float roughness) {
     Material material;
-    material.baseColor = kOrange;
-    material.metallic = metallic;
-    material.roughness = roughness;
+    material.factors.baseColor = toFloat4(kOrange);
+    material.factors.metallic = metallic;
+    material.factors.roughness = roughness;
     return material;
 }
 
@@ -45,7 +45,7 @@ template<typename Dress>
 Shot dressedBall(Dress dress) {
     SceneBuilder builder;
     Material material = plain(0, 0.5f);
-    material.baseColor = kWhite;
+    material.factors.baseColor = toFloat4(kWhite);
     dress(builder, material);
     builder.add(sphere(kRings), builder.addMaterial(material));
     return shotOfScene(std::move(builder));
@@ -61,26 +61,27 @@ int addPacked(SceneBuilder& builder) {
 
 Shot textured() {
     return dressedBall([](SceneBuilder& builder, Material& material) {
-        material.baseColorTexture.texture = addChecks(builder);
+        material.textures[TextureRole::BaseColor].texture = addChecks(builder);
     });
 }
 
 Shot bumpy() {
     return dressedBall([](SceneBuilder& builder, Material& material) {
-        material.baseColor = kOrange;
-        material.normalTexture.texture = builder.addTexture(bumps(128, 8));
-        material.normalScale = 1.5f;
+        material.factors.baseColor = toFloat4(kOrange);
+        material.textures[TextureRole::Normal].texture = builder.addTexture(bumps(128, 8));
+        material.factors.normalScale = 1.5f;
     });
 }
 
 Shot packed() {
     Shot shot = dressedBall([](SceneBuilder& builder, Material& material) {
-        material.baseColor = kOrange;
-        material.metallic = 1;
-        material.roughness = 1;
-        material.metallicRoughnessTexture.texture = addPacked(builder);
-        material.occlusionTexture.texture = material.metallicRoughnessTexture.texture;
-        material.occlusionStrength = 0.8f;
+        material.factors.baseColor = toFloat4(kOrange);
+        material.factors.metallic = 1;
+        material.factors.roughness = 1;
+        material.textures[TextureRole::MetallicRoughness].texture = addPacked(builder);
+        material.textures[TextureRole::Occlusion].texture =
+            material.textures[TextureRole::MetallicRoughness].texture;
+        material.factors.occlusionStrength = 0.8f;
     });
     shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.3f, 0.3f, 0.35f}};
     return shot;
@@ -88,7 +89,7 @@ Shot packed() {
 
 Shot occluded() {
     Shot shot = dressedBall([](SceneBuilder& builder, Material& material) {
-        material.occlusionTexture.texture = addPacked(builder);
+        material.textures[TextureRole::Occlusion].texture = addPacked(builder);
     });
     shot.lighting.suns.clear();
     shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.5f, 0.6f, 0.7f}};
@@ -97,9 +98,9 @@ Shot occluded() {
 
 Shot glowing() {
     Shot shot = dressedBall([](SceneBuilder& builder, Material& material) {
-        material.baseColor = glm::vec4(0.1f, 0.1f, 0.1f, 1);
-        material.emissive = {3, 2, 1};
-        material.emissiveTexture.texture = addChecks(builder);
+        material.factors.baseColor = {0.1f, 0.1f, 0.1f, 1};
+        material.factors.emissive = {3, 2, 1};
+        material.textures[TextureRole::Emissive].texture = addChecks(builder);
     });
     shot.look.toneMap = ToneMap::Reinhard;
     shot.lighting.exposure = 0.7f;
@@ -108,7 +109,7 @@ Shot glowing() {
 
 Shot masked() {
     return dressedBall([](SceneBuilder& builder, Material& material) {
-        material.baseColorTexture.texture =
+        material.textures[TextureRole::BaseColor].texture =
             builder.addTexture(checkers(64, 8, kOrange, glm::vec4(kBlue.r, kBlue.g, kBlue.b, 0)));
         material.alphaMode = AlphaMode::Mask;
         material.doubleSided = true;
@@ -121,7 +122,7 @@ Shot blended() {
     const glm::vec4 colors[] = {{0.9f, 0.1f, 0.1f, 0.5f}, {0.1f, 0.9f, 0.1f, 0.5f}, {0.1f, 0.1f, 0.9f, 0.5f}};
     for (int i = 0; i < 3; ++i) {
         Material material = plain(0, 1);
-        material.baseColor = colors[i];
+        material.factors.baseColor = toFloat4(colors[i]);
         material.alphaMode = AlphaMode::Blend;
         const glm::vec3 place(0.4f * static_cast<float>(i - 1), 0.3f * static_cast<float>(1 - i),
                               -0.3f * static_cast<float>(i));
@@ -152,7 +153,7 @@ Shot tinted() {
     for (const glm::vec3& normal : primitive.normals)
         primitive.colors.emplace_back(0.5f + 0.5f * normal, 1);
     Material material = plain(0, 0.6f);
-    material.baseColor = kWhite;
+    material.factors.baseColor = toFloat4(kWhite);
     builder.add(std::move(primitive), builder.addMaterial(material));
     return shotOfScene(std::move(builder));
 }
@@ -165,10 +166,10 @@ glm::mat3 turnedAndTripled() {
 Shot twoStreams() {
     SceneBuilder builder;
     Material material = plain(0, 0.5f);
-    material.baseColor = kWhite;
-    material.baseColorTexture = {
+    material.factors.baseColor = toFloat4(kWhite);
+    material.textures[TextureRole::BaseColor] = {
         .texture = addChecks(builder), .transform = turnedAndTripled(), .transformed = true};
-    material.normalTexture = {.texture = builder.addTexture(bumps(64, 4)), .uvSet = 1};
+    material.textures[TextureRole::Normal] = {.texture = builder.addTexture(bumps(64, 4)), .uvSet = 1};
     Primitive primitive = square();
     primitive.uv[1] = primitive.uv[0];
     builder.add(std::move(primitive), builder.addMaterial(material));
@@ -282,8 +283,8 @@ Shot withDecode(Decode decode) {
 Shot withView(View view) {
     Shot shot = packed();
     SceneBuilder builder{.scene = shot.scene};
-    builder.scene.materials[0].normalTexture.texture = builder.addTexture(bumps(128, 8));
-    builder.scene.materials[0].baseColorTexture.texture = addChecks(builder);
+    builder.scene.materials[0].textures[TextureRole::Normal].texture = builder.addTexture(bumps(128, 8));
+    builder.scene.materials[0].textures[TextureRole::BaseColor].texture = addChecks(builder);
     shot.scene = builder.scene;
     shot.look.view = view;
     return shot;
@@ -324,7 +325,7 @@ Shot wrapsAndFilters() {
             builder.scene.textures.back().magFilter = filter;
             Material material;
             material.unlit = true;
-            material.baseColorTexture = {
+            material.textures[TextureRole::BaseColor] = {
                 .texture = texture, .transform = glm::mat3(3, 0, 0, 0, 3, 0, -1, -1, 1), .transformed = true};
             const glm::vec3 place(-0.9f + 0.9f * static_cast<float>(column / 2),
                                   column % 2 == 0 ? 0.5f : -0.5f, 0);

@@ -14,8 +14,8 @@ constexpr std::uint8_t kMetallic = 51, kRoughness = 153; // 0.2 and 0.6
 
 void useFactors(Material& material, float metallic = kMetallic / 255.0f,
                 float roughness = kRoughness / 255.0f) {
-    material.metallic = metallic;
-    material.roughness = roughness;
+    material.factors.metallic = metallic;
+    material.factors.roughness = roughness;
 }
 
 Shot mirroring(const SceneBuilder& builder, ReflectionMaps maps) {
@@ -31,15 +31,16 @@ Shot mirroring(const SceneBuilder& builder, ReflectionMaps maps) {
 SceneBuilder squareOf(bool textured, float occlusion = 1) {
     SceneBuilder builder;
     Material material;
-    material.baseColor = {0.8f, 0.5f, 0.2f, 1};
+    material.factors.baseColor = {0.8f, 0.5f, 0.2f, 1};
     useFactors(material);
     if (textured) {
         useFactors(material, 1, 1);
-        material.metallicRoughnessTexture.texture = builder.addTexture(texel(0, kRoughness, kMetallic));
+        material.textures[TextureRole::MetallicRoughness].texture =
+            builder.addTexture(texel(0, kRoughness, kMetallic));
     }
     if (occlusion < 1) {
         const auto code = static_cast<std::uint8_t>(std::lround(255 * occlusion));
-        material.occlusionTexture.texture = builder.addTexture(texel(code, 0, 255));
+        material.textures[TextureRole::Occlusion].texture = builder.addTexture(texel(code, 0, 255));
     }
     builder.add(square(), builder.addMaterial(material));
     return builder;
@@ -102,7 +103,7 @@ TEST_P(ReflectionTest, TexturesAreAsFactors) {
         useFactors(material, static_cast<float>(metallic) / 255, static_cast<float>(roughness) / 255);
         factors.add(square(), factors.addMaterial(material));
         useFactors(material, 1, 1);
-        material.metallicRoughnessTexture.texture = textures.addTexture(
+        material.textures[TextureRole::MetallicRoughness].texture = textures.addTexture(
             texel(0, static_cast<std::uint8_t>(roughness), static_cast<std::uint8_t>(metallic)));
         textures.add(square(), textures.addMaterial(material));
         const Difference difference = compareLit(draw(ballUnder(textures)), draw(ballUnder(factors)));
@@ -118,7 +119,7 @@ TEST_P(ReflectionTest, ARougherSurfaceSeesABlunterSky) {
         SceneBuilder builder;
         Material material;
         useFactors(material, 1, 1);
-        material.metallicRoughnessTexture.texture =
+        material.textures[TextureRole::MetallicRoughness].texture =
             builder.addTexture(texel(0, static_cast<std::uint8_t>(roughness), 255));
         builder.add(square(), builder.addMaterial(material));
         const Picture picture = draw(ballUnder(builder));

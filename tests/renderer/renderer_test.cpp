@@ -76,7 +76,7 @@ TEST_P(RendererTest, AnotherOutputCompilesNoVertexShader) {
 TEST_P(RendererTest, FramesAreTheSameWhateverGlWasLeftAt) {
     Material material;
     material.alphaMode = AlphaMode::Blend;
-    material.baseColor.a = 0.5f;
+    material.factors.baseColor[3] = 0.5f;
     const Shot shot = ballShot(material);
     const Picture clean = draw(shot);
     disturbState(gl());

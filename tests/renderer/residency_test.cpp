@@ -15,7 +15,8 @@ INSTANTIATE_TEST_SUITE_P(Backends, ResidencyTest, allBackends(), backendName);
 Scene ball(const glm::vec4& color) {
     SceneBuilder builder;
     Material material;
-    material.baseColorTexture.texture = builder.addTexture(checkers(64, 8, color, glm::vec4(1)));
+    material.textures[TextureRole::BaseColor].texture =
+        builder.addTexture(checkers(64, 8, color, glm::vec4(1)));
     builder.add(sphere(12), builder.addMaterial(material));
     return builder.scene;
 }
@@ -251,7 +252,8 @@ Upload uploadOf(const std::vector<GlCall>& calls) {
 Scene demanding() {
     SceneBuilder builder;
     Material material;
-    material.baseColorTexture.texture = builder.addTexture(checkers(96, 8, {1, 0, 0, 1}, glm::vec4(1)));
+    material.textures[TextureRole::BaseColor].texture =
+        builder.addTexture(checkers(96, 8, {1, 0, 0, 1}, glm::vec4(1)));
     Primitive primitive = square();
     for (int i = 0; i < 65'600; ++i) {
         primitive.positions.push_back(primitive.positions[static_cast<std::size_t>(i % 4)]);

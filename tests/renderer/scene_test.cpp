@@ -46,8 +46,8 @@ Gl filteringGl(const Gl& gl, const Scene& scene) {
         colorPixels.insert(scene.images[static_cast<std::size_t>(texture.image)].rgba.data());
     };
     for (const Material& material : scene.materials) {
-        add(material.baseColorTexture);
-        add(material.emissiveTexture);
+        add(material.textures[TextureRole::BaseColor]);
+        add(material.textures[TextureRole::Emissive]);
     }
     Gl filtering = gl;
     filtering.TexImage2D = texImage2D;

@@ -27,12 +27,12 @@ std::string readText(const std::filesystem::path& file) {
 Shot seedShot() {
     SceneBuilder builder;
     Material material;
-    material.baseColor = {0.9f, 0.8f, 0.7f, 1};
-    material.metallic = 0.3f;
-    material.roughness = 0.4f;
-    material.baseColorTexture.texture =
+    material.factors.baseColor = {0.9f, 0.8f, 0.7f, 1};
+    material.factors.metallic = 0.3f;
+    material.factors.roughness = 0.4f;
+    material.textures[TextureRole::BaseColor].texture =
         builder.addTexture(checkers(64, 8, {0.9f, 0.5f, 0.2f, 1}, {0.2f, 0.5f, 0.9f, 1}), Filter::Linear);
-    material.normalTexture.texture = builder.addTexture(bumps(128, 8), Filter::Linear);
+    material.textures[TextureRole::Normal].texture = builder.addTexture(bumps(128, 8), Filter::Linear);
     Primitive ball = sphere(48);
     for (glm::vec4& tangent : ball.tangents)
         tangent.w = -1;
@@ -107,9 +107,9 @@ void SeedTest::setUniforms(GLuint program, const Shot& shot) {
     gl().UniformMatrix4fv(location("uLocalToWorld"), 1, GL_FALSE, glm::value_ptr(identity));
     gl().UniformMatrix4fv(location("uLocalToWorld_it"), 1, GL_FALSE, glm::value_ptr(identity));
     set3("uCameraPosWorld", viewpoint.eye);
-    gl().Uniform4fv(location("uMaterialAlbedoColor"), 1, glm::value_ptr(material.baseColor));
-    gl().Uniform1f(location("uMaterialRoughness"), material.roughness);
-    gl().Uniform1f(location("uMaterialMetallic"), material.metallic);
+    gl().Uniform4fv(location("uMaterialAlbedoColor"), 1, material.factors.baseColor.data());
+    gl().Uniform1f(location("uMaterialRoughness"), material.factors.roughness);
+    gl().Uniform1f(location("uMaterialMetallic"), material.factors.metallic);
     gl().Uniform1i(location("uTextureAlbedo"), 0);
     gl().Uniform1i(location("uTextureNormal"), 1);
     set3("uAmbientColor", kAmbientInGamma);

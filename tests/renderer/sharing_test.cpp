@@ -22,12 +22,12 @@ protected:
     /// Balls of three colours before a sky, none of which a turn leaves as it is.
     void load(Renderer& renderer) {
         SceneBuilder builder;
-        const std::array<glm::vec4, 3> colors = {glm::vec4(1, 0.1f, 0.1f, 1), {0.1f, 1, 0.1f, 1}, {1, 1, 0, 0.5f}};
+        const std::array<Float4, 3> colors = {Float4{1, 0.1f, 0.1f, 1}, {0.1f, 1, 0.1f, 1}, {1, 1, 0, 0.5f}};
         for (std::size_t i = 0; i < colors.size(); ++i) {
             Material material;
-            material.baseColor = colors[i];
+            material.factors.baseColor = colors[i];
             material.alphaMode = i == 2 ? AlphaMode::Blend : AlphaMode::Opaque;
-            material.baseColorTexture.texture = builder.addTexture(checkers(8, 4, glm::vec4(1), glm::vec4(0.5f)));
+            material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(8, 4, glm::vec4(1), glm::vec4(0.5f)));
             glm::mat4 world(0.5f);
             world[3] = glm::vec4(0.8f * static_cast<float>(i) - 0.8f, 0.3f * static_cast<float>(i), 0, 1);
             builder.add(sphere(8), builder.addMaterial(material), world);

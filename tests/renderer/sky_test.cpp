@@ -43,9 +43,9 @@ void lightBy(const Sky& sky, Shot& shot) {
 Shot sphereOf(const glm::vec3& base, float metallic, float roughness) {
     SceneBuilder builder;
     Material material;
-    material.baseColor = glm::vec4(base, 1);
-    material.metallic = metallic;
-    material.roughness = roughness;
+    material.factors.baseColor = {base.r, base.g, base.b, 1};
+    material.factors.metallic = metallic;
+    material.factors.roughness = roughness;
     builder.add(sphere(256), builder.addMaterial(material));
     Shot shot{.scene = builder.scene, .camera = {}, .lighting = {}};
     shot.camera.world = glm::translate(glm::mat4(1), glm::vec3(0, 0, 4));

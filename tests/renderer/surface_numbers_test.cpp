@@ -32,8 +32,8 @@ TEST_P(SurfaceNumbers, AMaskKeepsWhatIsAtItsCutoff) {
              {std::pair(cutoff, kWhite), {cutoff - 0.002f, kBlack}, {1.0f, kWhite}}) {
             Material material = white();
             material.alphaMode = AlphaMode::Mask;
-            material.alphaCutoff = cutoff;
-            material.baseColor.a = alpha;
+            material.factors.alphaCutoff = cutoff;
+            material.factors.baseColor[3] = alpha;
             EXPECT_EQ(codesOf(draw(filledBy(material))), codes) << alpha << " at " << cutoff;
         }
 }
@@ -48,14 +48,14 @@ Shot tinted(Material material, const glm::vec4& color) {
 
 TEST_P(SurfaceNumbers, AlphaOfVertexColoursCounts) {
     Material material = white();
-    material.baseColor.a = 0.5f;
+    material.factors.baseColor[3] = 0.5f;
     material.alphaMode = AlphaMode::Blend;
     const Codes blended = codesOf(draw(tinted(material, {1, 0.5f, 0, 0.5f})));
     EXPECT_NEAR(blended[0], 0.25 * 255, 1);
     EXPECT_NEAR(blended[1], 0.125 * 255, 1);
     EXPECT_EQ(blended[2], 0);
     material.alphaMode = AlphaMode::Mask;
-    material.alphaCutoff = 0.3f;
+    material.factors.alphaCutoff = 0.3f;
     EXPECT_EQ(codesOf(draw(tinted(material, {1, 1, 1, 0.5f}))), kBlack);
     EXPECT_EQ(codesOf(draw(tinted(material, {1, 1, 1, 0.7f}))), kWhite);
 }
@@ -67,15 +67,40 @@ TEST_P(SurfaceNumbers, OcclusionHasItsStrength) {
         for (const bool packed : {false, true}) {
             SceneBuilder builder;
             Material material;
-            material.metallic = 0;
-            material.occlusionStrength = strength;
-            material.occlusionTexture.texture = builder.addTexture(texel(51, 255, 0)); // 0.2
+            material.factors.metallic = 0;
+            material.factors.occlusionStrength = strength;
+            material.textures[TextureRole::Occlusion].texture = builder.addTexture(texel(51, 255, 0)); // 0.2
             if (packed)
-                material.metallicRoughnessTexture = material.occlusionTexture;
+                material.textures[TextureRole::MetallicRoughness] = material.textures[TextureRole::Occlusion];
             builder.add(square(), builder.addMaterial(material));
             Shot shot = filledBy(builder);
             shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.9f, 0.9f, 0.9f}};
             EXPECT_NEAR(codesOf(draw(shot))[0], 255 * 0.9 * (1 - 0.8 * strength), 1) << strength << packed;
+        }
+}
+
+// A texture of both numbers, or one of each: a role whose texture is missing has its factor alone.
+TEST_P(SurfaceNumbers, MetalnessAndRoughnessMayHaveATextureEach) {
+    for (const std::uint8_t metal : {std::uint8_t{64}, std::uint8_t{255}})
+        for (const std::uint8_t rough : {std::uint8_t{128}, std::uint8_t{255}}) {
+            std::vector<Picture> pictures;
+            for (const bool packed : {true, false}) {
+                SceneBuilder builder;
+                Material material;
+                MaterialTextures& textures = material.textures;
+                material.factors.roughness = 0.8f;
+                if (packed)
+                    textures[TextureRole::MetallicRoughness].texture = builder.addTexture(texel(0, rough, metal));
+                if (!packed && metal < 255)
+                    textures[TextureRole::Metallic].texture = builder.addTexture(texel(metal, 0, 0));
+                if (!packed && rough < 255)
+                    textures[TextureRole::Roughness].texture = builder.addTexture(texel(rough, 0, 0));
+                builder.add(sphere(16), builder.addMaterial(material));
+                Shot shot = filledBy(builder);
+                shot.lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
+                pictures.push_back(draw(shot));
+            }
+            EXPECT_LE(compareLit(pictures[0], pictures[1]).max(), 1) << int{metal} << ", " << int{rough};
         }
 }
 
@@ -86,7 +111,7 @@ TEST_P(SurfaceNumbers, FarGlassesAreBehindNearOnes) {
         for (const bool isNear : {nearFirst, !nearFirst}) {
             Material material = white();
             material.alphaMode = AlphaMode::Blend;
-            material.baseColor = isNear ? glm::vec4(1, 0, 0, 0.5f) : glm::vec4(0, 1, 0, 0.5f);
+            material.factors.baseColor = isNear ? Float4{1, 0, 0, 0.5f} : Float4{0, 1, 0, 0.5f};
             builder.add(square(), builder.addMaterial(material),
                         glm::translate(glm::mat4(1), glm::vec3(0, 0, isNear ? 0.5f : -0.5f)));
         }
@@ -112,9 +137,9 @@ TEST_P(SurfaceNumbers, EachThingIsWhereItStands) {
 TEST_P(SurfaceNumbers, WhatIsBehindAGlassIsSeenByItsAlpha) {
     SceneBuilder builder;
     Material material = white();
-    material.baseColor = {0, 1, 0, 0.25f};
+    material.factors.baseColor = {0, 1, 0, 0.25f};
     material.alphaMode = AlphaMode::Blend;
-    material.baseColorTexture.texture = builder.addTexture(texel(255, 255, 255, 204)); // 0.8
+    material.textures[TextureRole::BaseColor].texture = builder.addTexture(texel(255, 255, 255, 204)); // 0.8
     builder.add(square(), builder.addMaterial(material));
     for (const Decode decode : {Decode::Exact, Decode::Fast, Decode::None}) {
         Shot shot = filledBy(builder);
@@ -160,9 +185,9 @@ Shot shotOf(const TwoTextures& textures) {
             .texture = ramp, .uvSet = set, .transform = transform, .transformed = transform != glm::mat3(1)};
     };
     Material material;
-    material.baseColorTexture = ref(textures.base, textures.baseSet);
-    material.emissiveTexture = ref(textures.glow, textures.glowSet);
-    material.emissive = glm::vec3(1);
+    material.textures[TextureRole::BaseColor] = ref(textures.base, textures.baseSet);
+    material.textures[TextureRole::Emissive] = ref(textures.glow, textures.glowSet);
+    material.factors.emissive = {1, 1, 1};
     builder.add(std::move(primitive), builder.addMaterial(material));
     Shot shot = filledBy(builder);
     shot.look.decode = Decode::None;
@@ -191,7 +216,7 @@ TEST_P(SurfaceNumbers, EachTextureHasItsCoordinatesAndTransform) {
         // One alone, by its light: what glows in the dark, and what an ambient light of white shows of the
         // rest.
         expectRamps(draw(shot), row.glowSet, row.glow);
-        shot.scene.materials[0].emissive = glm::vec3(1e-6f);
+        shot.scene.materials[0].factors.emissive = {1e-6f, 1e-6f, 1e-6f};
         shot.lighting.ambient = {.kind = Ambient::Color, .color = {1, 1, 1}};
         expectRamps(draw(shot), row.baseSet, row.base);
     }
@@ -217,9 +242,9 @@ TEST_P(SurfaceNumbers, GlowAndColourAreDecodedAndMultiplied) {
                 const int texture = builder.addTexture(grey(code));
                 const glm::vec3 factor(1, 0.5f, 0.25f);
                 material.unlit = !glows;
-                material.baseColor = glows ? glm::vec4(0, 0, 0, 1) : glm::vec4(factor, 1);
-                (glows ? material.emissiveTexture : material.baseColorTexture).texture = texture;
-                material.emissive = factor;
+                material.factors.baseColor = glows ? Float4{0, 0, 0, 1} : toFloat4(glm::vec4(factor, 1));
+                material.textures[glows ? TextureRole::Emissive : TextureRole::BaseColor].texture = texture;
+                material.factors.emissive = {factor.r, factor.g, factor.b};
                 builder.add(square(), builder.addMaterial(material));
                 Shot shot = filledBy(builder);
                 shot.look.decode = decode;
@@ -236,7 +261,7 @@ TEST_P(SurfaceNumbers, GlowAndColourAreDecodedAndMultiplied) {
 TEST_P(SurfaceNumbers, FarTexturesAreAsBrightAsNearOnes) {
     SceneBuilder builder;
     Material material = white();
-    material.baseColorTexture.texture = builder.addTexture(checkers(64, 64, {0, 0, 0, 1}, glm::vec4(1)));
+    material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(64, 64, {0, 0, 0, 1}, glm::vec4(1)));
     Primitive primitive = square();
     for (glm::vec2& uv : primitive.uv[0])
         uv *= 16.0f; // 16 texels a pixel along each side.
@@ -249,9 +274,9 @@ TEST_P(SurfaceNumbers, FarTexturesAreAsBrightAsNearOnes) {
 Shot sided(bool back, const Lighting& lighting) {
     SceneBuilder builder;
     Material material;
-    material.baseColor = {0.9f, 0.7f, 0.5f, 1};
-    material.metallic = 0;
-    material.roughness = 0.6f;
+    material.factors.baseColor = {0.9f, 0.7f, 0.5f, 1};
+    material.factors.metallic = 0;
+    material.factors.roughness = 0.6f;
     material.doubleSided = back;
     const float turn = back ? glm::pi<float>() : 0.0f;
     builder.add(square(), builder.addMaterial(material), glm::rotate(glm::mat4(1), turn, glm::vec3(0, 1, 0)));
@@ -315,8 +340,8 @@ TEST_P(SurfaceNumbers, MirroredAndStretchedThingsAreLitByTheirShape) {
         for (const float side : {1.0f, -1.0f}) {
             SceneBuilder builder;
             Material material;
-            material.metallic = 0;
-            material.roughness = 0.5f;
+            material.factors.metallic = 0;
+            material.factors.roughness = 0.5f;
             material.doubleSided = doubleSided;
             builder.add(sphere(24), builder.addMaterial(material),
                         glm::scale(glm::mat4(1), glm::vec3(0.5f * side, 0.9f, 0.9f)));

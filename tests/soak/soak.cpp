@@ -35,7 +35,8 @@ Result<Scene> urn() { return loadGltf(URN_GLB); }
 Result<Scene> ball(const glm::vec4& color) {
     SceneBuilder builder;
     Material material;
-    material.baseColorTexture.texture = builder.addTexture(checkers(256, 8, color, glm::vec4(1)));
+    material.textures[TextureRole::BaseColor].texture =
+        builder.addTexture(checkers(256, 8, color, glm::vec4(1)));
     builder.add(sphere(24), builder.addMaterial(material));
     return builder.scene;
 }

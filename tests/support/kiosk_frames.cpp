@@ -25,14 +25,14 @@ Scene tiledBall() {
 Scene leafAndGlass() {
     SceneBuilder builder;
     Material leaf;
-    leaf.baseColorTexture.texture =
+    leaf.textures[TextureRole::BaseColor].texture =
         builder.addTexture(checkers(8, 4, {0.2f, 0.8f, 0.3f, 1}, {0, 0, 0, 0}), Filter::Nearest);
     leaf.alphaMode = AlphaMode::Mask;
     builder.add(square(), builder.addMaterial(leaf));
     Material glass;
-    glass.baseColor = {0.5f, 0.6f, 1, 0.4f};
-    glass.roughness = 0.1f;
-    glass.metallic = 0;
+    glass.factors.baseColor = {0.5f, 0.6f, 1, 0.4f};
+    glass.factors.roughness = 0.1f;
+    glass.factors.metallic = 0;
     glass.alphaMode = AlphaMode::Blend;
     builder.add(sphere(8), builder.addMaterial(glass));
     return builder.scene;
@@ -46,7 +46,7 @@ Scene paintedSign() {
     board.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 1}, {1, 1, 1, 1}};
     builder.add(board, builder.addMaterial(sign));
     Material lamp;
-    lamp.emissive = {2, 1, 0.5f};
+    lamp.factors.emissive = {2, 1, 0.5f};
     builder.add(sphere(6), builder.addMaterial(lamp));
     return builder.scene;
 }
@@ -118,7 +118,7 @@ Result<void> KioskFrames::change(Renderer& renderer, int frame, std::size_t mode
     Result<Material> material = renderer.materialOf(m_models[model], 0);
     if (!material)
         return material.error();
-    material->roughness = 0.2f + 0.01f * static_cast<float>(frame % 70);
+    material->factors.roughness = 0.2f + 0.01f * static_cast<float>(frame % 70);
     return renderer.setMaterial(m_models[model], 0, *material);
 }
 

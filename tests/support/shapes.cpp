@@ -113,11 +113,11 @@ void SceneBuilder::addSun(const glm::vec3& direction, const glm::vec3& color, fl
 
 Material tiledMaterial(SceneBuilder& builder) {
     Material material;
-    material.baseColorTexture.texture =
+    material.textures[TextureRole::BaseColor].texture =
         builder.addTexture(checkers(8, 4, {1, 0.6f, 0.2f, 1}, {0.9f, 0.9f, 0.8f, 1}));
-    material.normalTexture.texture =
+    material.textures[TextureRole::Normal].texture =
         builder.addTexture(bumps(16, 2), Filter::LinearMipmapLinear, Wrap::MirroredRepeat);
-    material.metallicRoughnessTexture.texture = builder.addTexture(
+    material.textures[TextureRole::MetallicRoughness].texture = builder.addTexture(
         checkers(8, 2, {1, 0.5f, 0, 1}, {1, 0.9f, 1, 1}), Filter::Linear, Wrap::ClampToEdge);
     return material;
 }

@@ -14,6 +14,9 @@ Primitive sphere(int rings);
 /// A square of 2 x 2 in the plane z = 0 that faces +Z, with the same attributes; v grows downwards.
 Primitive square();
 
+/// A colour as materials have it.
+inline Float4 toFloat4(const glm::vec4& color) { return {color.r, color.g, color.b, color.a}; }
+
 /// A picture of that size, from texture coordinates (0 to 1, v down) to 0..1.
 Image paint(int size, const std::function<glm::vec4(glm::vec2)>& color);
 

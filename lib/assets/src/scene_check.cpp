@@ -25,6 +25,10 @@ bool areFinite(const std::vector<Vector>& vectors) {
     return std::all_of(vectors.begin(), vectors.end(), isFinite<Vector>);
 }
 
+bool areNumbers(const Float4& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); });
+}
+
 bool isWithin(float value, float least, float most) { return value >= least && value <= most; }
 
 /// The place of an element: "meshes[2].primitives[0]".
@@ -102,34 +106,59 @@ private:
                ".minFilter", "there is no such filter");
     }
 
-    void add(const TextureRef& ref, const std::string& where, const char* role) {
+    /// What is wrong with it; null where nothing is.
+    const char* faultOf(const TextureRef& ref) const {
+        if (!isIndex(ref.texture, m_scene.textures.size()))
+            return "there is no such texture";
+        if (m_scene.textures[static_cast<std::size_t>(ref.texture)].image == kNone)
+            return "its texture has no image";
+        if (ref.uvSet != 0 && ref.uvSet != 1)
+            return "its uvSet must be 0 or 1";
+        return isFinite(ref.transform) ? nullptr : "its transform must be finite";
+    }
+
+    // Names of places are made for faults alone: a material may change in each frame.
+    void add(const TextureRef& ref, const std::string& material, std::string_view role) {
         if (!ref)
             return;
-        const bool exists = isIndex(ref.texture, m_scene.textures.size());
-        expect(exists, where, role, "there is no such texture");
-        expect(!exists || m_scene.textures[static_cast<std::size_t>(ref.texture)].image != kNone, where, role,
-               "its texture has no image");
-        expect(ref.uvSet == 0 || ref.uvSet == 1, where, role, "its uvSet must be 0 or 1");
-        expect(isFinite(ref.transform), where, role, "its transform must be finite");
+        if (const char* fault = faultOf(ref))
+            expect(false, material + ": the " + std::string(role) + " texture", "", fault);
     }
 
     void add(const Material& material, const std::string& where) {
-        add(material.baseColorTexture, where, ".baseColorTexture");
-        add(material.metallicRoughnessTexture, where, ".metallicRoughnessTexture");
-        add(material.normalTexture, where, ".normalTexture");
-        add(material.occlusionTexture, where, ".occlusionTexture");
-        add(material.emissiveTexture, where, ".emissiveTexture");
-        expect(isFinite(material.baseColor), where, ".baseColor", "its numbers must be finite");
-        expect(isWithin(material.metallic, 0, 1), where, ".metallic", "it must be 0 to 1");
-        expect(isWithin(material.roughness, 0, 1), where, ".roughness", "it must be 0 to 1");
-        expect(std::isfinite(material.normalScale), where, ".normalScale", "it must be finite");
-        expect(isWithin(material.occlusionStrength, 0, 1), where, ".occlusionStrength", "it must be 0 to 1");
-        expect(isFinite(material.emissive) &&
-                   glm::all(glm::greaterThanEqual(material.emissive, glm::vec3(0))),
-               where, ".emissive", "it must be finite, and 0 or more");
+        for (const TextureRoleRow& role : textureRoles())
+            if (isMaterials(role.role))
+                add(material.textures[role.role], where, role.name);
+        addSeparate(material.textures, where);
+        add(material.factors, where);
         expect(material.alphaMode >= AlphaMode::Opaque && material.alphaMode <= AlphaMode::Blend, where,
                ".alphaMode", "there is no such mode");
-        expect(std::isfinite(material.alphaCutoff), where, ".alphaCutoff", "it must be finite");
+    }
+
+    // A program reads either one texture of both numbers, or two at the same coordinates.
+    void addSeparate(const MaterialTextures& textures, const std::string& where) {
+        const TextureRef& metallic = textures[TextureRole::Metallic];
+        const TextureRef& roughness = textures[TextureRole::Roughness];
+        expect(!textures[TextureRole::MetallicRoughness] || (!metallic && !roughness), where,
+               ": the metallic-roughness texture",
+               "there must be no metallic or roughness texture beside it");
+        expect(!metallic || !roughness ||
+                   (metallic.uvSet == roughness.uvSet && metallic.transform == roughness.transform),
+               where, ": the roughness texture",
+               "its uvSet and transform must be those of the metallic texture");
+    }
+
+    void add(const MaterialFactors& factors, const std::string& where) {
+        const auto isLight = [](float value) { return std::isfinite(value) && value >= 0; };
+        expect(areNumbers(factors.baseColor), where, ".factors.baseColor", "its numbers must be finite");
+        expect(isWithin(factors.metallic, 0, 1), where, ".factors.metallic", "it must be 0 to 1");
+        expect(isWithin(factors.roughness, 0, 1), where, ".factors.roughness", "it must be 0 to 1");
+        expect(std::isfinite(factors.normalScale), where, ".factors.normalScale", "it must be finite");
+        expect(isWithin(factors.occlusionStrength, 0, 1), where, ".factors.occlusionStrength",
+               "it must be 0 to 1");
+        expect(std::all_of(factors.emissive.begin(), factors.emissive.end(), isLight), where,
+               ".factors.emissive", "it must be finite, and 0 or more");
+        expect(std::isfinite(factors.alphaCutoff), where, ".factors.alphaCutoff", "it must be finite");
     }
 
     template<typename Vector>

@@ -79,11 +79,9 @@ Result<void> Frame::resolveMaterial(GpuMaterial& material, const DrawTarget* tar
 
 Result<void> Frame::resolveSkybox(const DrawTarget* target) {
     m_skyboxProgram = nullptr;
-    const Result<ProgramHandle> program = resolve(skyPermutation(m_look), {}, target);
-    if (!program)
-        return program.error();
-    m_skyboxProgram = *program;
-    return {};
+    return resolve(skyPermutation(m_look), {}, target).transform([this](ProgramHandle program) {
+        m_skyboxProgram = std::move(program);
+    });
 }
 
 void Frame::updateBlocks(const PlacedView& view, const DrawTarget& target) {
@@ -104,9 +102,11 @@ void Frame::updateBlocks(const PlacedView& view, const DrawTarget& target) {
     m_frame.set(values);
     m_lights.set(lights);
     for (GpuMaterial* material : m_list.materials())
-        if (!std::exchange(material->isPacked, true))
-            material->block.edit() =
-                packMaterial(material->plan.factors, m_look.brdf, m_lighting.exposure, m_look.precision);
+        if (!std::exchange(material->isPacked, true)) {
+            MaterialBlock& block = material->block.edit();
+            block = packMaterial(material->plan.factors, m_look.brdf, m_lighting.exposure, m_look.precision);
+            block.uv = material->plan.uvTransforms;
+        }
 }
 
 // A picture of normals shows those of the world.

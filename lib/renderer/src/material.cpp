@@ -67,18 +67,6 @@ bool sameSampling(const Scene& scene, const TextureRef& a, const TextureRef& b) 
            left.minFilter == right.minFilter;
 }
 
-MaterialFactors factorsOf(const Material& material) {
-    const glm::vec4& base = material.baseColor;
-    const glm::vec3& emissive = material.emissive;
-    return {.baseColor = {base.r, base.g, base.b, base.a},
-            .metallic = material.metallic,
-            .roughness = material.roughness,
-            .normalScale = material.normalScale,
-            .occlusionStrength = material.occlusionStrength,
-            .emissive = {emissive.r, emissive.g, emissive.b},
-            .alphaCutoff = material.alphaCutoff};
-}
-
 class Planner {
 public:
     Planner(const Scene& scene, const Material& material, const VertexContents& contents, const Log& log)
@@ -87,7 +75,7 @@ public:
     }
 
     MaterialPlan make() {
-        m_plan.factors = factorsOf(m_material);
+        m_plan.factors = m_material.factors;
         planBase();
         planNormal();
         planReflection();
@@ -101,7 +89,8 @@ private:
     Permutation& choices() { return m_plan.permutation; }
 
     // Gives the texture to its role; false where there is none, or where its coordinates have no stream.
-    bool take(const TextureRef& ref, TextureRole role) {
+    bool take(TextureRole role) {
+        const TextureRef& ref = m_material.textures[role];
         const TextureRoleRow& row = rowOf(role);
         if (!ref)
             return false;
@@ -114,7 +103,7 @@ private:
     }
 
     void planBase() {
-        choices().baseColorTexture = take(m_material.baseColorTexture, TextureRole::BaseColor);
+        choices().baseColorTexture = take(TextureRole::BaseColor);
         choices().vertexColor = m_contents.colors;
         choices().sides = m_material.doubleSided ? Sides::Double : Sides::Single;
         choices().shading = m_material.unlit ? Shading::Unlit : Shading::Lit;
@@ -124,30 +113,33 @@ private:
     }
 
     void planNormal() {
-        if (m_material.normalTexture && !m_contents.tangents)
+        if (m_material.textures[TextureRole::Normal] && !m_contents.tangents)
             return m_streams.warn(rowOf(TextureRole::Normal).name, "the mesh has no tangents");
-        if (take(m_material.normalTexture, TextureRole::Normal))
+        if (take(TextureRole::Normal))
             choices().normal = Normal::Map;
     }
 
     void planReflection() {
-        const TextureRef& packed = m_material.metallicRoughnessTexture;
-        const TextureRef& occlusion = m_material.occlusionTexture;
-        if (take(packed, TextureRole::MetallicRoughness))
+        const TextureRef& packed = m_material.textures[TextureRole::MetallicRoughness];
+        const TextureRef& occlusion = m_material.textures[TextureRole::Occlusion];
+        if (take(TextureRole::MetallicRoughness))
             choices().metallicRoughness = MetallicRoughness::Packed;
+        const bool metallic = take(TextureRole::Metallic), roughness = take(TextureRole::Roughness);
+        if (metallic || roughness)
+            choices().metallicRoughness = MetallicRoughness::Separate;
         if (choices().metallicRoughness == MetallicRoughness::Packed && occlusion &&
             sameSampling(m_scene, packed, occlusion))
             choices().occlusion = Occlusion::Packed;
-        else if (take(occlusion, TextureRole::Occlusion))
+        else if (take(TextureRole::Occlusion))
             choices().occlusion = Occlusion::Texture;
     }
 
     void planEmissive() {
-        if (m_material.emissive == glm::vec3(0))
+        if (m_material.factors.emissive == Float3{})
             return;
-        if (take(m_material.emissiveTexture, TextureRole::Emissive))
+        if (take(TextureRole::Emissive))
             choices().emissive = Emissive::Texture;
-        else if (!m_material.emissiveTexture)
+        else if (!m_material.textures[TextureRole::Emissive])
             choices().emissive = Emissive::Factor;
         else // The texture says where a surface glows: without it, none of it may.
             m_plan.factors.emissive = {};
@@ -157,8 +149,7 @@ private:
         for (std::size_t i = 0; i < m_streams.count(); ++i) {
             m_plan.uvSets[i] = m_streams[i].uvSet;
             (i == 0 ? choices().uv0Transform : choices().uv1Transform) = m_streams[i].transformed;
-            (i == 0 ? m_plan.factors.uv0Transform : m_plan.factors.uv1Transform) =
-                toFloat9(m_streams[i].transform);
+            (i == 0 ? m_plan.uvTransforms.uv0 : m_plan.uvTransforms.uv1) = toFloat9(m_streams[i].transform);
         }
     }
 
@@ -182,10 +173,7 @@ void apply(const Look& look, Permutation& permutation) {
 }
 
 Result<Permutation> canonical(const Permutation& permutation) {
-    Result<Canonical> result = canonicalise(permutation);
-    if (!result)
-        return result.error();
-    return result->permutation;
+    return canonicalise(permutation).transform([](const Canonical& found) { return found.permutation; });
 }
 
 } // namespace
@@ -203,12 +191,9 @@ MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents
 }
 
 void replaceFactors(MaterialPlan& plan, const Material& material) {
-    MaterialFactors factors = factorsOf(material);
-    factors.uv0Transform = plan.factors.uv0Transform;
-    factors.uv1Transform = plan.factors.uv1Transform;
+    plan.factors = material.factors;
     if (plan.permutation.emissive == Emissive::None)
-        factors.emissive = {};
-    plan.factors = factors;
+        plan.factors.emissive = {};
 }
 
 Result<Permutation> permutationOf(const MaterialPlan& plan, const Lighting& lighting, const Look& look) {

@@ -29,12 +29,9 @@ Result<int> findVariant(const Model& model, std::string_view name) {
 
 /// Whether both are drawn by the same programs with the same textures.
 bool differInFactorsAlone(const Material& a, const Material& b) {
-    const auto glows = [](const Material& material) { return material.emissive != glm::vec3(0); };
-    const auto refsA = textureRefs(a), refsB = textureRefs(b);
-    return std::equal(refsA.begin(), refsA.end(), refsB.begin(),
-                      [](const TextureRef* left, const TextureRef* right) { return *left == *right; }) &&
-           a.alphaMode == b.alphaMode && a.doubleSided == b.doubleSided && a.unlit == b.unlit &&
-           glows(a) == glows(b);
+    const auto glows = [](const Material& material) { return material.factors.emissive != Float3{}; };
+    return a.textures == b.textures && a.alphaMode == b.alphaMode && a.doubleSided == b.doubleSided &&
+           a.unlit == b.unlit && glows(a) == glows(b);
 }
 
 Error unknownMaterial(int index, std::size_t count) {
@@ -95,10 +92,10 @@ Result<void> Models::setMaterial(ModelId id, int index, const Material& values) 
     if (const Result<void> checked = check(outline, values); !checked)
         return Error{"renderer.material", checked.error().where, checked.error().what,
                      "nothing was changed: pass another value"};
-    for (const TextureRef* ref : textureRefs(values))
-        if (*ref && model->gpu &&
-            model->gpu->textureOf[static_cast<std::size_t>(ref->texture)] == GpuScene::kNotUploaded)
-            return unknownTexture("renderer.material", ref->texture);
+    for (const TextureRef& ref : values.textures)
+        if (ref && model->gpu &&
+            model->gpu->textureOf[static_cast<std::size_t>(ref.texture)] == GpuScene::kNotUploaded)
+            return unknownTexture("renderer.material", ref.texture);
     Material& current = outline.materials[static_cast<std::size_t>(index)];
     const bool factorsAlone = differInFactorsAlone(current, values);
     current = values;

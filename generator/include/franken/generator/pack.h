@@ -54,8 +54,11 @@ struct MaterialFactors {
     float occlusionStrength = 1; ///< 0-1
     Float3 emissive{0, 0, 0};    ///< Factor times KHR_materials_emissive_strength; radiance, 0 and up
     float alphaCutoff = 0.5f;    ///< 0 and up
-    Float9 uv0Transform{1, 0, 0, 0, 1, 0, 0, 0, 1}; ///< KHR_texture_transform of stream 0
-    Float9 uv1Transform{1, 0, 0, 0, 1, 0, 0, 0, 1};
+};
+
+/// KHR_texture_transform of the two streams of texture coordinates.
+struct UvTransforms {
+    Float9 uv0{1, 0, 0, 0, 1, 0, 0, 0, 1}, uv1{1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
 struct MaterialBlock {
@@ -71,7 +74,7 @@ struct MaterialBlock {
     std::array<Float3, 3> emissiveCubic; ///< As baseColorCubic
     float normalScale;
     float alphaCutoff;
-    Float9 uv0Transform, uv1Transform;
+    UvTransforms uv; ///< Those of packMaterial() change nothing
 };
 
 /// Folds a material for programs with that BRDF. Exposure multiplies what the surface emits.

@@ -69,4 +69,7 @@ inline constexpr std::size_t kMaterialUnits = 6;
 /// The units of all roles are below it.
 inline constexpr std::size_t kUsedTextureUnits = 8;
 
+/// How many roles are a material's.
+inline constexpr std::size_t kMaterialRoles = static_cast<std::size_t>(TextureRole::Skybox);
+
 } // namespace franken

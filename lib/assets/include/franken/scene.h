@@ -3,10 +3,10 @@
 
 #include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include <glm/ext/matrix_double4x4.hpp>
@@ -16,8 +16,10 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
-#include "franken/api.h"
 #include "franken/animation.h"
+#include "franken/api.h"
+#include "franken/generator/pack.h"
+#include "franken/generator/texture_role.h"
 #include "franken/image.h"
 #include "franken/index.h"
 #include "franken/sampling.h"
@@ -53,41 +55,31 @@ struct TextureRef {
 
 enum class AlphaMode { Opaque, Mask, Blend };
 
+/// A material's textures, by role (texture_role.h). A glTF file fills the roles that have a place in it;
+/// those of Metallic and Roughness are for scenes that are not from a file, in place of MetallicRoughness,
+/// and share their coordinates.
+struct MaterialTextures {
+    std::array<TextureRef, kMaterialRoles> refs;
+
+    TextureRef& operator[](TextureRole role) { return refs[static_cast<std::size_t>(role)]; }
+    const TextureRef& operator[](TextureRole role) const { return refs[static_cast<std::size_t>(role)]; }
+    auto begin() { return refs.begin(); }
+    auto end() { return refs.end(); }
+    auto begin() const { return refs.begin(); }
+    auto end() const { return refs.end(); }
+    bool operator==(const MaterialTextures&) const = default;
+};
+
 /// glTF's metallic-roughness material. A texture multiplies the factor of its role. A texture whose image
 /// could not be read is left out, which is what a 1x1 default of its role would give.
 struct Material {
     std::string name;
-
-    glm::vec4 baseColor{1.0f};   ///< Linear RGBA, 0..1.
-    TextureRef baseColorTexture; ///< sRGB, alpha linear.
-
-    float metallic = 1.0f;               ///< 0 dielectric .. 1 metal.
-    float roughness = 1.0f;              ///< Perceptual, 0..1; alpha is its square.
-    TextureRef metallicRoughnessTexture; ///< Linear; G roughness, B metallic.
-
-    float normalScale = 1.0f; ///< Multiplies x and y of the decoded normal; any sign.
-    TextureRef normalTexture; ///< Linear; tangent space, +Y towards smaller v.
-
-    float occlusionStrength = 1.0f; ///< 0 none .. 1 full.
-    TextureRef occlusionTexture;    ///< Linear; R. May be the image of metallicRoughnessTexture.
-
-    glm::vec3 emissive{
-        0.0f}; ///< Linear RGB, already times KHR_materials_emissive_strength; >= 0, may be > 1.
-    TextureRef emissiveTexture; ///< sRGB.
-
+    MaterialFactors factors;
+    MaterialTextures textures;
     AlphaMode alphaMode = AlphaMode::Opaque;
-    float alphaCutoff = 0.5f; ///< For AlphaMode::Mask: below it a fragment is dropped. >= 0.
     bool doubleSided = false;
     bool unlit = false; ///< KHR_materials_unlit: base colour only, no light.
 };
-
-/// Pointers to all texture references of a Material or a const Material, in the order of its members.
-template<typename AnyMaterial>
-requires std::same_as<std::remove_const_t<AnyMaterial>, Material>
-auto textureRefs(AnyMaterial& material) {
-    return std::array{&material.baseColorTexture, &material.metallicRoughnessTexture, &material.normalTexture,
-                      &material.occlusionTexture, &material.emissiveTexture};
-}
 
 /// An axis-aligned box; empty (min > max) until something is added.
 struct Box {

@@ -151,17 +151,17 @@ private:
     }
 
     static bool samples(const Material& material, int uvSet) {
-        const auto refs = textureRefs(material);
-        return std::any_of(refs.begin(), refs.end(),
-                           [uvSet](const TextureRef* ref) { return *ref && ref->uvSet == uvSet; });
+        return std::any_of(material.textures.begin(), material.textures.end(),
+                           [uvSet](const TextureRef& ref) { return ref && ref.uvSet == uvSet; });
     }
 
     bool isNeeded(const std::string& name, bool isTarget) const {
         if (name == "NORMAL")
             return anyMaterial([](const Material& material) { return !material.unlit; });
         if (name == "TANGENT")
-            return anyMaterial(
-                [](const Material& material) { return material.normalTexture && !material.unlit; });
+            return anyMaterial([](const Material& material) {
+                return material.textures[TextureRole::Normal] && !material.unlit;
+            });
         if (isTarget)
             return name == "POSITION";
         if (name == "TEXCOORD_0" || name == "TEXCOORD_1")

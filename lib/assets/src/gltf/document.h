@@ -3,23 +3,29 @@
 
 // The one place that includes tinygltf: its Model is what the readers hand to each other, and a copy of it in
 // types of our own would only double it.
+#include <array>
+
 #include <tiny_gltf.h>
 
 #include "gltf/gate.h"
 
 namespace franken::gltf {
 
+/// How a material uses textures: by TextureRole, the glTF textureInfo; null where it has none.
+using MaterialUses = std::array<Json, kMaterialRoles>;
+
 /// A file that has passed the gate.
 struct Document : Source {
     tinygltf::Model model;                    ///< Its own buffers and images are empty shells.
     Json animations = Json::array();          ///< Which tinygltf does not see.
+    std::vector<MaterialUses> textureUses;    ///< By material
     std::vector<std::size_t> accessorStrides; ///< By accessor; from validateData().
 
     bool uses(std::string_view extension) const;
 };
 
-/// Takes names, URIs and strides out of the checked JSON, and has tinygltf fill Document::model from the
-/// rest.
+/// Takes names, URIs, uses of textures and strides out of the checked JSON, and has tinygltf fill
+/// Document::model from the rest.
 bool parseModel(Document& source, Json& root);
 
 // What has to hold for the model. After these two, every index in it is in range, and every accessor lies

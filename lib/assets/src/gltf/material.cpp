@@ -8,35 +8,33 @@
 namespace franken::gltf {
 namespace {
 
-glm::vec2 pairOr(const tinygltf::Value& object, const std::string& key, glm::vec2 otherwise) {
-    const tinygltf::Value& value = object.Get(key);
-    if (value.ArrayLen() != 2 || !value.Get(0).IsNumber() || !value.Get(1).IsNumber())
+glm::vec2 pairOr(const Json& object, const char* key, glm::vec2 otherwise) {
+    const Json& pair = member(object, key);
+    if (pair.size() != 2 || !pair[0].is_number() || !pair[1].is_number())
         return otherwise;
-    return {static_cast<float>(value.Get(0).GetNumberAsDouble()),
-            static_cast<float>(value.Get(1).GetNumberAsDouble())};
+    return {pair[0].get<float>(), pair[1].get<float>()};
 }
 
 // KHR_texture_transform: T * R * S. Which way R turns was read from the extension's first example (the lower
 // left quadrant, turned by 90 degrees clockwise): (u, v) goes to (c u + s v, -s u + c v).
-glm::mat3 uvTransform(const tinygltf::Value& extension) {
+glm::mat3 uvTransform(const Json& extension) {
     const glm::vec2 offset = pairOr(extension, "offset", glm::vec2(0.0f));
     const glm::vec2 scale = pairOr(extension, "scale", glm::vec2(1.0f));
-    const double angle = extension.Get("rotation").GetNumberAsDouble();
+    const Json& rotation = member(extension, "rotation");
+    const double angle = rotation.is_number() ? rotation.get<double>() : 0;
     const float c = static_cast<float>(std::cos(angle)), s = static_cast<float>(std::sin(angle));
     return {c * scale.x, -s * scale.x, 0.0f, s * scale.y, c * scale.y, 0.0f, offset.x, offset.y, 1.0f};
 }
 
-// Info is one of tinygltf's three kinds of textureInfo, which have no common base.
-template<typename Info>
-bool readRef(Document& source, const Info& info, const std::string& where, TextureRef& ref) {
-    ref.texture = info.index;
-    ref.uvSet = info.texCoord;
-    const auto found = info.extensions.find("KHR_texture_transform");
-    if (found != info.extensions.end() && found->second.IsObject()) {
-        ref.transform = uvTransform(found->second);
+bool readRef(Document& source, const Json& info, const std::string& where, TextureRef& ref) {
+    if (!info.is_object())
+        return true;
+    ref.texture = info.value("index", kNone);
+    ref.uvSet = info.value("texCoord", 0);
+    if (const Json& moved = member(member(info, "extensions"), "KHR_texture_transform"); moved.is_object()) {
+        ref.transform = uvTransform(moved);
         ref.transformed = ref.transform != glm::mat3(1.0f);
-        if (found->second.Get("texCoord").IsInt())
-            ref.uvSet = found->second.Get("texCoord").GetNumberAsInt();
+        ref.uvSet = moved.value("texCoord", ref.uvSet);
     }
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row < 3; ++row)
@@ -68,34 +66,44 @@ float emissiveStrength(const tinygltf::Material& material) {
 bool readFactors(Document& source, const tinygltf::Material& from, const std::string& where,
                  Material& material) {
     const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
+    MaterialFactors& factors = material.factors;
     for (int i = 0; i < 4; ++i)
-        material.baseColor[i] =
+        factors.baseColor[at(i)] =
             unit(source, pbr.baseColorFactor[at(i)], where + "/pbrMetallicRoughness/baseColorFactor");
-    material.metallic = unit(source, pbr.metallicFactor, where + "/pbrMetallicRoughness/metallicFactor");
-    material.roughness = unit(source, pbr.roughnessFactor, where + "/pbrMetallicRoughness/roughnessFactor");
-    material.normalScale = static_cast<float>(from.normalTexture.scale);
-    material.occlusionStrength =
+    factors.metallic = unit(source, pbr.metallicFactor, where + "/pbrMetallicRoughness/metallicFactor");
+    factors.roughness = unit(source, pbr.roughnessFactor, where + "/pbrMetallicRoughness/roughnessFactor");
+    factors.normalScale = static_cast<float>(from.normalTexture.scale);
+    factors.occlusionStrength =
         unit(source, from.occlusionTexture.strength, where + "/occlusionTexture/strength");
     for (int i = 0; i < 3; ++i)
-        material.emissive[i] = unit(source, from.emissiveFactor[at(i)], where + "/emissiveFactor");
+        factors.emissive[at(i)] = unit(source, from.emissiveFactor[at(i)], where + "/emissiveFactor");
     const float strength = emissiveStrength(from);
     if (!std::isfinite(strength) || strength < 0.0f)
         return source.fail("gltf.value", where + "/extensions/KHR_materials_emissive_strength",
                            "the strength is negative or not finite");
-    material.emissive *= strength;
-    material.alphaCutoff = std::fmax(static_cast<float>(from.alphaCutoff), 0.0f);
+    for (float& channel : factors.emissive)
+        channel *= strength;
+    factors.alphaCutoff = std::fmax(static_cast<float>(from.alphaCutoff), 0.0f);
     return true;
 }
 
 // The texture says where a surface glows, and most of it does not: without it, none of it may.
 bool darken(Material& material, bool hadTexture) {
-    if (hadTexture && !material.emissiveTexture)
-        material.emissive = glm::vec3(0.0f);
+    if (hadTexture && !material.textures[TextureRole::Emissive])
+        material.factors.emissive = {};
     return true;
 }
 
-bool readMaterial(Document& source, const tinygltf::Material& from, const std::string& where,
-                  Material& material) {
+bool readTextures(Document& source, const MaterialUses& uses, const std::string& where, Material& material) {
+    for (const TextureRoleRow& role : textureRoles())
+        if (!role.gltf.empty() && !readRef(source, uses[static_cast<std::size_t>(role.role)],
+                                           where + std::string(role.gltf), material.textures[role.role]))
+            return false;
+    return true;
+}
+
+bool readMaterial(Document& source, std::size_t index, const std::string& where, Material& material) {
+    const tinygltf::Material& from = source.model.materials[index];
     material.name = from.name;
     material.doubleSided = from.doubleSided;
     material.unlit = from.extensions.contains("KHR_materials_unlit");
@@ -105,15 +113,8 @@ bool readMaterial(Document& source, const tinygltf::Material& from, const std::s
         material.alphaMode = AlphaMode::Blend;
     else if (from.alphaMode != "OPAQUE")
         return source.fail("gltf.value", where + "/alphaMode", "there is no alpha mode " + from.alphaMode);
-    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
-    const std::string pbrPath = where + "/pbrMetallicRoughness";
     return readFactors(source, from, where, material) &&
-           readRef(source, pbr.baseColorTexture, pbrPath + "/baseColorTexture", material.baseColorTexture) &&
-           readRef(source, pbr.metallicRoughnessTexture, pbrPath + "/metallicRoughnessTexture",
-                   material.metallicRoughnessTexture) &&
-           readRef(source, from.normalTexture, where + "/normalTexture", material.normalTexture) &&
-           readRef(source, from.occlusionTexture, where + "/occlusionTexture", material.occlusionTexture) &&
-           readRef(source, from.emissiveTexture, where + "/emissiveTexture", material.emissiveTexture) &&
+           readTextures(source, source.textureUses[index], where, material) &&
            darken(material, from.emissiveTexture.index != kNone);
 }
 
@@ -179,19 +180,19 @@ bool resolveImages(Document& source, Scene& scene) {
     std::vector<bool> used(source.images.size(), false), broken;
     const auto imageOf = [&scene](const TextureRef& ref) { return scene.textures[at(ref.texture)].image; };
     for (Material& material : scene.materials)
-        for (const TextureRef* ref : textureRefs(material))
-            if (*ref && imageOf(*ref) != kNone)
-                used[at(imageOf(*ref))] = true;
+        for (const TextureRef& ref : material.textures)
+            if (ref && imageOf(ref) != kNone)
+                used[at(imageOf(ref))] = true;
     if (!readImages(source, used, broken, scene.images))
         return false;
     for (Material& material : scene.materials) {
-        const bool glowed = static_cast<bool>(material.emissiveTexture);
-        for (TextureRef* ref : textureRefs(material)) {
-            if (*ref && imageOf(*ref) == kNone)
-                source.warn(kLeftOut, pathOf("textures", ref->texture),
+        const bool glowed = static_cast<bool>(material.textures[TextureRole::Emissive]);
+        for (TextureRef& ref : material.textures) {
+            if (ref && imageOf(ref) == kNone)
+                source.warn(kLeftOut, pathOf("textures", ref.texture),
                             "the texture has no PNG or JPEG image: left out");
-            if (*ref && (imageOf(*ref) == kNone || broken[at(imageOf(*ref))]))
-                *ref = {};
+            if (ref && (imageOf(ref) == kNone || broken[at(imageOf(ref))]))
+                ref = {};
         }
         darken(material, glowed);
     }
@@ -207,12 +208,11 @@ bool readMaterials(Document& source, const std::vector<bool>& used, Scene& scene
     for (std::size_t i = 0; i < scene.materials.size(); ++i) {
         Material& material = scene.materials[i];
         const std::string where = pathOf("materials", i);
-        if (used[i] &&
-            (!source.need(where) || !readMaterial(source, source.model.materials[i], where, material)))
+        if (used[i] && (!source.need(where) || !readMaterial(source, i, where, material)))
             return false;
-        for (const TextureRef* ref : textureRefs(material))
-            if (*ref)
-                sampled[at(ref->texture)] = true;
+        for (const TextureRef& ref : material.textures)
+            if (ref)
+                sampled[at(ref.texture)] = true;
     }
     for (std::size_t i = 0; i < scene.textures.size(); ++i) {
         const std::string where = pathOf("textures", i);

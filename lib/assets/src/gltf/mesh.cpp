@@ -133,11 +133,12 @@ void normalize(const Document& source, const std::string& where, Primitive& prim
 // By the first of its materials that has a normal texture: a vertex has one tangent.
 void completeTangents(Document& source, const MaterialChoice& materials, const std::string& where,
                       Primitive& primitive) {
-    const auto found = std::find_if(materials.begin(), materials.end(),
-                                    [](const Material* material) { return material->normalTexture; });
+    const auto found = std::find_if(materials.begin(), materials.end(), [](const Material* material) {
+        return static_cast<bool>(material->textures[TextureRole::Normal]);
+    });
     if (found == materials.end() || !primitive.tangents.empty())
         return;
-    const std::vector<glm::vec2> uv = sampledUv(primitive, (*found)->normalTexture);
+    const std::vector<glm::vec2> uv = sampledUv(primitive, (*found)->textures[TextureRole::Normal]);
     if (uv.empty())
         return source.warn(kLeftOut, where,
                            "the material has a normal texture, but its UV stream is missing");

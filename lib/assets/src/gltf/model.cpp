@@ -43,7 +43,8 @@ bool chargeObjects(Source& source, const Json& root) {
            charge(member(root, "images"), sizeof(tinygltf::Image) + sizeof(EncodedImage), "/images") &&
            charge(member(root, "samplers"), sizeof(tinygltf::Sampler), "/samplers") &&
            charge(member(root, "textures"), sizeof(tinygltf::Texture), "/textures") &&
-           charge(member(root, "materials"), sizeof(tinygltf::Material) + sizeof(Material), "/materials") &&
+           charge(member(root, "materials"),
+                  sizeof(tinygltf::Material) + sizeof(Material) + sizeof(MaterialUses), "/materials") &&
            charge(member(root, "meshes"), sizeof(tinygltf::Mesh), "/meshes") &&
            charge(member(root, "skins"), sizeof(tinygltf::Skin), "/skins") &&
            charge(member(root, "cameras"), sizeof(tinygltf::Camera), "/cameras") &&
@@ -79,6 +80,18 @@ bool takeResources(Source& source, Json& root) {
         image = {{"uri", kOneByte}};
     }
     return true;
+}
+
+// Where textures are used stands in the roles' table, which tinygltf has in a member for each.
+void noteTextureUses(Document& source, const Json& root) {
+    for (const Json& material : member(root, "materials")) {
+        MaterialUses& uses = source.textureUses.emplace_back();
+        for (const TextureRoleRow& role : textureRoles()) {
+            const Json::json_pointer place{std::string(role.gltf)};
+            if (!role.gltf.empty() && material.contains(place))
+                uses[static_cast<std::size_t>(role.role)] = material.at(place);
+        }
+    }
 }
 
 // Strides that tinygltf would refuse have one meaning; what they have to be is checked with the accessors.
@@ -132,6 +145,7 @@ bool parse(Document& source, const std::string& text) {
 bool parseModel(Document& source, Json& root) {
     if (!chargeObjects(source, root) || !takeResources(source, root))
         return false;
+    noteTextureUses(source, root);
     takeStrides(source, root);
     if (root.contains("animations"))
         source.animations = std::move(root["animations"]);

@@ -98,19 +98,19 @@ bool checkSkin(Document& source, std::size_t index) {
     return true;
 }
 
+int indexOf(const Json& use) { return use.is_object() ? use.value("index", kNone) : kNone; }
+
 bool checkMaterial(Document& source, std::size_t index) {
     const tinygltf::Material& material = source.model.materials[index];
     const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
     const std::string where = pathOf("materials", index);
     const std::size_t textures = source.model.textures.size();
-    return checkIndex(source, pbr.baseColorTexture.index, textures,
-                      where + "/pbrMetallicRoughness/baseColorTexture/index") &&
-           checkIndex(source, pbr.metallicRoughnessTexture.index, textures,
-                      where + "/pbrMetallicRoughness/metallicRoughnessTexture/index") &&
-           checkIndex(source, material.normalTexture.index, textures, where + "/normalTexture/index") &&
-           checkIndex(source, material.occlusionTexture.index, textures, where + "/occlusionTexture/index") &&
-           checkIndex(source, material.emissiveTexture.index, textures, where + "/emissiveTexture/index") &&
-           checkLength(source, material.emissiveFactor, 3, where + "/emissiveFactor") &&
+    for (const TextureRoleRow& role : textureRoles())
+        if (!role.gltf.empty() &&
+            !checkIndex(source, indexOf(source.textureUses[index][static_cast<std::size_t>(role.role)]),
+                        textures, where + std::string(role.gltf) + "/index"))
+            return false;
+    return checkLength(source, material.emissiveFactor, 3, where + "/emissiveFactor") &&
            checkLength(source, pbr.baseColorFactor, 4, where + "/pbrMetallicRoughness/baseColorFactor") &&
            checkFinite(source,
                        {pbr.metallicFactor, pbr.roughnessFactor, material.normalTexture.scale,

@@ -76,9 +76,10 @@ void turnToNormals(Primitive& primitive) {
 }
 
 void giveTangents(Primitive& primitive, const Material& material) {
-    if (!material.normalTexture || !primitive.tangents.empty())
+    if (!material.textures[TextureRole::Normal] || !primitive.tangents.empty())
         return;
-    if (const std::vector<glm::vec2> uv = sampledUv(primitive, material.normalTexture); !uv.empty())
+    if (const std::vector<glm::vec2> uv = sampledUv(primitive, material.textures[TextureRole::Normal]);
+        !uv.empty())
         computeTangents(primitive, uv);
 }
 

@@ -156,7 +156,7 @@ Result<void> displace(Scene& scene, const HeightMap& map, int material) {
             if (material != kNone && primitive.material != material)
                 continue;
             const Material& of = scene.materials[static_cast<std::size_t>(primitive.material)];
-            const std::vector<glm::vec2> uv = sampledUv(primitive, of.normalTexture);
+            const std::vector<glm::vec2> uv = sampledUv(primitive, of.textures[TextureRole::Normal]);
             if (Result<void> displaced = displace(primitive, map, uv); !displaced)
                 return displaced;
         }

@@ -50,6 +50,7 @@ VertexContents contentsOf(const Primitive& primitive);
 struct MaterialPlan {
     Permutation permutation; ///< The material's choices alone; see permutationOf().
     MaterialFactors factors;
+    UvTransforms uvTransforms;
     std::array<int, kMaterialUnits> textures; ///< Scene texture of each sampler unit, or kNone.
     std::array<int, 2> uvSets{};              ///< Which TEXCOORD_n feeds each of the two streams.
     bool fine = false;                        ///< Light vectors may be per vertex.
