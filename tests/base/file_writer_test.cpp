@@ -208,5 +208,18 @@ TEST_F(FileWriterTest, ReadsAFileThatIsThere) {
     EXPECT_EQ(readFileIfThere(path("file/below"), 4).error().code, "file.open");
 }
 
+// A pipe has no size, and a device no end: neither is a file of no bytes.
+TEST_F(FileWriterTest, ReadsNothingButFiles) {
+    const auto codeOf = [&](const char* name) {
+        const auto bytes = readFile(path(name), 4);
+        return bytes ? "read" : bytes.error().code;
+    };
+    ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+    EXPECT_EQ(codeOf("pipe"), "file.open");
+    if (mknod(path("zero").c_str(), S_IFCHR | 0600, makedev(1, 5)) != 0)
+        GTEST_SKIP() << "a device node can be made by root alone";
+    EXPECT_EQ(codeOf("zero"), "file.open");
+}
+
 } // namespace
 } // namespace franken

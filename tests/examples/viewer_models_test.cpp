@@ -197,6 +197,23 @@ TEST_F(ViewerModels, FarFromTheOriginThingsStandWhereTheyAre) {
     }
 }
 
+// The camera's own planes leave 32 bits of depth steps of 6 mm at 5 m; the two squares are 2 mm apart, and
+// either is drawn first.
+TEST_F(ViewerModels, ClippingPlanesThatAreFarApartLeaveNoFlicker) {
+    for (const bool nearerFirst : {false, true}) {
+        Model model;
+        model.json["cameras"] = {
+            {{"type", "perspective"},
+             {"perspective", {{"yfov", 0.5}, {"aspectRatio", 1}, {"znear", 1e-6}, {"zfar", 1e5}}}}};
+        for (const bool nearer : {nearerFirst, !nearerFirst}) {
+            const int material =
+                model.unlit(nearer ? std::vector<double>{0, 1, 0, 1} : std::vector<double>{1, 0, 0, 1});
+            model.addNode({{"mesh", model.quad(material)}, {"translation", {0, 0, nearer ? -3 : -3.002}}});
+        }
+        expect(model, {{32, 32, kGreen}, {20, 40, kGreen}, {44, 24, kGreen}});
+    }
+}
+
 TEST_F(ViewerModels, FarFromTheOriginLampsShineAlike) {
     const auto brightness = [this](double place) {
         Model model;
@@ -326,6 +343,22 @@ TEST_F(ViewerModels, ASunOfTheCommandLineHasTheLuxThatItSays) {
 }
 
 // Four samples of encoded colour, averaged: the picture of twice the size says what they are.
+// A black sky with one bright texel of 64 x 32 behind the camera: taken out, it lights as a sun of radiance
+// times solid angle.
+TEST_F(ViewerModels, ASkysSunIsTakenOutAndLights) {
+    std::ofstream sky(m_folder / "sky.hdr", std::ios::binary);
+    sky << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+    for (int i = 0; i < 64 * 32; ++i)
+        sky.write(i == 16 * 64 ? "\x40\x40\x40\x8a" : "\0\0\0\0", 4);
+    sky.close();
+    Model model;
+    model.addNode({{"mesh", model.quad(model.lit(0, 1))}});
+    constexpr double kRadiance = 256; // 64 * 2^(0x8a - 136)
+    const double texel = kPi / 32, illuminance = kRadiance * texel * texel;
+    const int grey = code((0.96 + 0.04 / 4) * illuminance / kPi);
+    expect(model, {{32, 32, {grey, grey, grey}}}, "--skybox sky.hdr --sky-sun", 3);
+}
+
 TEST_F(ViewerModels, SupersamplingAveragesFourPixels) {
     Model model;
     model.addNode({{"mesh", model.quad(model.unlit({0, 1, 0, 1}), 0.61f)}, {"rotation", {0, 0, 0.3, 0.954}}});

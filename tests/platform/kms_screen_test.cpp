@@ -216,6 +216,19 @@ TEST_F(KmsScreenTest, TakesAnAssumedScreenWithItsModeline) {
     EXPECT_EQ(screen->layout().mode.buffer, (Size{800, 480}));
 }
 
+// A pulse of the wrong sign makes a screen roll, or none at all.
+TEST(ScreenOptionsTest, AModelinesPulsesHaveTheirSigns) {
+    const std::string line = "33.750 800 840 888 976 480 483 493 500 ";
+    for (const char* hsync : {"-hsync ", "+hsync "})
+        for (const char* vsync : {"-vsync", "+vsync"}) {
+            const drm_mode_modeinfo mode = toMode(parseModeline(line + hsync + vsync).value());
+            EXPECT_EQ((mode.flags & DRM_MODE_FLAG_PHSYNC) != 0, hsync[0] == '+') << hsync << vsync;
+            EXPECT_EQ((mode.flags & DRM_MODE_FLAG_NHSYNC) != 0, hsync[0] == '-') << hsync << vsync;
+            EXPECT_EQ((mode.flags & DRM_MODE_FLAG_PVSYNC) != 0, vsync[0] == '+') << hsync << vsync;
+            EXPECT_EQ((mode.flags & DRM_MODE_FLAG_NVSYNC) != 0, vsync[0] == '-') << hsync << vsync;
+        }
+}
+
 TEST_F(KmsScreenTest, TurnsThePictureAsThePanelIsMounted) {
     KmsProperty orientation;
     orientation.choices = {{"Normal", 0}, {"Right Side Up", 3}};
