@@ -259,10 +259,10 @@ TEST_F(Viewer, SnippetsOfItsOwnMustCompile) {
     copySnippets();
     const std::string urn = std::string(kUrn) + " --size 40x30 --snippets glsl";
     EXPECT_EQ(run(urn).code, 0);
-    std::ofstream(m_folder / "glsl/fragment/ambient/sum.glsl", std::ios::app)
+    std::ofstream(m_folder / "glsl/fragment/ambient/none.glsl", std::ios::app)
         << "  sum.specular += nonsense;\n";
     EXPECT_EQ(run(urn).code, 4);
-    fs::remove(m_folder / "glsl/fragment/ambient/sum.glsl");
+    fs::remove(m_folder / "glsl/fragment/ambient/none.glsl");
     EXPECT_EQ(run(urn).code, 3);
 }
 

@@ -75,7 +75,7 @@ protected:
 
 TEST_F(Watching, TakesASnippetAndKeepsTheLastGoodPicture) {
     copySnippets();
-    const fs::path snippet = m_folder / "glsl/fragment/ambient/sum.glsl";
+    const fs::path snippet = m_folder / "glsl/fragment/ambient/none.glsl";
     const std::string text = readText(snippet);
     const auto write = [&](const std::string& more) { std::ofstream(snippet) << text << more; };
     start("--snippets glsl");
@@ -91,7 +91,7 @@ TEST_F(Watching, TakesASnippetAndKeepsTheLastGoodPicture) {
 
     write("  sum.specular += nonsense;\n"); // Refused by the driver.
     ASSERT_NO_FATAL_FAILURE(await("viewer: kept the last good picture", 1));
-    EXPECT_NE(err().find("[glsl/fragment/ambient/sum.glsl:7]"), std::string::npos) << err();
+    EXPECT_NE(err().find("[glsl/fragment/ambient/none.glsl:7]"), std::string::npos) << err();
     EXPECT_NE(err().find("nonsense"), std::string::npos) << err();
     EXPECT_EQ(readPicture(m_picture).rgba, redder.rgba);
 

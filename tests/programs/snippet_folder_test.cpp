@@ -45,11 +45,11 @@ TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {
 }
 
 TEST_F(SnippetSetTest, AChangedFileChangesTheProgramsThatHaveIt) {
-    write("fragment/ambient/none.glsl", read("fragment/ambient/none.glsl") + "  irradiance += vec3(0.25);\n");
+    write("fragment/ambient/none.glsl", read("fragment/ambient/none.glsl") + "  sum.diffuse += vec3(0.25);\n");
     const Result<SnippetSet> set = readSnippets(m_folder);
     ASSERT_TRUE(set) << toString(set.error());
     const Composed lit = compose(permutation("sun1"), *set);
-    EXPECT_NE(lit.fragment.text.find("  irradiance += vec3(0.25);\n"), std::string::npos);
+    EXPECT_NE(lit.fragment.text.find("  sum.diffuse += vec3(0.25);\n"), std::string::npos);
     EXPECT_EQ(lit.vertex.text, compose(permutation("sun1")).vertex.text);
     EXPECT_EQ(compose(permutation("sky"), *set).fragment.text, compose(permutation("sky")).fragment.text);
     EXPECT_EQ(compose(permutation("sun1")).fragment.text.find("0.25)"), std::string::npos);

@@ -36,7 +36,7 @@ TEST_P(SnippetsTest, ARendererDrawsWithOthersAndWithItsOwnAgain) {
     };
     const auto before = middle();
 
-    const Result<SnippetSet> brighter = snippetsWith("  irradiance += vec3(0.25, 0.0, 0.0);");
+    const Result<SnippetSet> brighter = snippetsWith("  sum.diffuse += vec3(0.25, 0.0, 0.0);");
     ASSERT_TRUE(brighter) << toString(brighter.error());
     renderer.setSnippets(*brighter);
     const auto during = middle();
@@ -49,7 +49,7 @@ TEST_P(SnippetsTest, ARendererDrawsWithOthersAndWithItsOwnAgain) {
 }
 
 TEST_P(SnippetsTest, ACacheSaysInWhichSnippetTheErrorIs) {
-    const Result<SnippetSet> broken = snippetsWith("  irradiance = nonsense;");
+    const Result<SnippetSet> broken = snippetsWith("  sum.diffuse = nonsense;");
     ASSERT_TRUE(broken) << toString(broken.error());
     ProgramCache cache(gl());
     const Permutation permutation = canonicalise(*parseName("sun1"))->permutation;

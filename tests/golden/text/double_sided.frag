@@ -48,7 +48,7 @@ float reciprocal(float x) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
+  float oneMinusF0; // 1 - 0.04 (1 - metalness), with F_0 of what the base colour does not tint
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
@@ -126,13 +126,13 @@ Angles anglesOf(Light light, View view) {
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
-  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
-  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Schlick's F is
+  // F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
-  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
   float specular = specularLobe(angles, view.nDotV, surface);
-  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
-  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
+  sum.diffuse += light.radiance * (weightF0 * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - weightF0 * surface.oneMinusF0));
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -153,7 +153,7 @@ void main() {
   Surface surface;
   surface.diffuse = uReflectance.x;
   surface.metal = uReflectance.y;
-  surface.clear = uReflectance.w;
+  surface.oneMinusF0 = uReflectance.w;
   surface.slope = uLobe.x;
   surface.smith = uLobe.yz;
   surface.gain = 1.0; // folded into surface.smith

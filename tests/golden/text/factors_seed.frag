@@ -114,17 +114,17 @@ Angles anglesOf(Light light, View view) {
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
-  // One F_0 = mix(0.04, base, metalness) for both layers, and V's divisor 4 N.L N.V kept above 0.001. Of the lobe,
-  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  // One F_0 = mix(0.04, base, metalness) for both layers, and V's divisor 4 N.L N.V kept above 0.001. Schlick's
+  // F is F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
   float kept = min(4000.0 * view.nDotV * angles.nDotL, 1.0);
   float specular = kept * (specularLobe(angles, view.nDotV, surface) * angles.nDotL);
-  float rim = angles.fresnel * specular;
-  float face = specular - rim;
-  sum.specular += (rim + surface.dielectric * face) * light.radiance;
-  float entering = angles.nDotL - angles.fresnel * angles.nDotL;
-  vec3 absorbed = entering * surface.tinted * surface.base;
-  sum.diffuse += light.radiance * (entering * surface.diffuse + face * surface.metal - absorbed);
+  float lobeF90 = angles.fresnel * specular;
+  float lobeF0 = specular - lobeF90;
+  sum.specular += (lobeF90 + surface.dielectric * lobeF0) * light.radiance;
+  float weightF0 = angles.nDotL - angles.fresnel * angles.nDotL;
+  vec3 absorbed = weightF0 * surface.tinted * surface.base;
+  sum.diffuse += light.radiance * (weightF0 * surface.diffuse + lobeF0 * surface.metal - absorbed);
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -149,9 +149,8 @@ void main() {
   surface.smith = uLobe.yz;
   surface.gain = 1.0; // folded into surface.smith
 
-  vec3 irradiance = vec3(0.0);
   Sum sum;
-  sum.diffuse = irradiance;
+  sum.diffuse = vec3(0.0);
   sum.specular = vec3(0.0);
 
   View view = viewOf(normal, vToCamera);

@@ -33,7 +33,7 @@ float reciprocal(float x) {
 // Two rectangles of an eighth of the atlas' width and height.
 const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
 const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
-const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+const float kIrradianceHalf = 0.0546875; // half of what is not border: 7 / 8 / 16
 
 // n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
 vec3 skyIrradiance(vec3 n) {
@@ -49,7 +49,7 @@ vec3 skyIrradiance(vec3 n) {
 const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
 const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
 const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
-const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+const float kAtlasInner = 0.875; // what is not a square's border: 7 / 8
 
 // d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
 vec2 atlasPoint(vec3 d) {

@@ -55,7 +55,7 @@ float reciprocal(float x) {
 // Two rectangles of an eighth of the atlas' width and height.
 const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
 const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
-const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+const float kIrradianceHalf = 0.0546875; // half of what is not border: 7 / 8 / 16
 
 // n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
 vec3 skyIrradiance(vec3 n) {
@@ -68,9 +68,10 @@ vec3 skyIrradiance(vec3 n) {
 }
 
 struct Surface {
+  vec3 base; // linear base colour
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
+  float oneMinusF0; // 1 - 0.04 (1 - metalness), with F_0 of what the base colour does not tint
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
@@ -122,7 +123,7 @@ Surface surfaceOf(float metallic, float roughness) {
   Surface surface;
   surface.diffuse = 0.96 - 0.96 * metallic;
   surface.metal = metallic;
-  surface.clear = 0.96 + 0.04 * metallic;
+  surface.oneMinusF0 = 0.96 + 0.04 * metallic;
   surface.slope = 1.0 - alpha2;
   surface.smith = vec2(surface.slope, alpha2);
   surface.gain = 0.5 * alpha2;
@@ -133,7 +134,7 @@ Surface surfaceOf(float metallic, float roughness) {
 const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
 const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
 const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
-const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+const float kAtlasInner = 0.875; // what is not a square's border: 7 / 8
 
 // d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
 vec2 atlasPoint(vec3 d) {
@@ -156,7 +157,6 @@ vec3 reflectedSky(vec3 d, float level) {
 }
 
 struct Sum {
-  vec3 base; // linear base colour
   vec3 color; // linear radiance
 };
 
@@ -189,14 +189,14 @@ Angles anglesOf(Light light, View view) {
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
-  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
-  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Schlick's F is
+  // F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
-  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
   float specular = specularLobe(angles, view.nDotV, surface);
-  float tinted = entering * (surface.diffuse + surface.metal * specular);
-  float untinted = (angles.nDotL - entering * surface.clear) * specular;
-  sum.color += (sum.base * tinted + untinted) * light.radiance;
+  float tinted = weightF0 * (surface.diffuse + surface.metal * specular);
+  float untinted = (angles.nDotL - weightF0 * surface.oneMinusF0) * specular;
+  sum.color += (surface.base * tinted + untinted) * light.radiance;
 }
 
 struct Share { // of the sky's light
@@ -226,6 +226,7 @@ void main() {
   vec3 irradiance = skyIrradiance(normal);
 
   Surface surface = surfaceOf(metallic, roughness);
+  surface.base = base.rgb;
 
   View view = viewOf(normal, vToCamera);
 
@@ -243,7 +244,6 @@ void main() {
   vec3 specular = reflection * (share.tinted * base.rgb + share.untinted);
   vec3 color = specular + (irradiance * share.scattered) * base.rgb;
   Sum sum;
-  sum.base = base.rgb;
   sum.color = color;
 
   addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);

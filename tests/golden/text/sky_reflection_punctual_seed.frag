@@ -55,7 +55,7 @@ float reciprocal(float x) {
 // Two rectangles of an eighth of the atlas' width and height.
 const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
 const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
-const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+const float kIrradianceHalf = 0.0546875; // half of what is not border: 7 / 8 / 16
 
 // n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
 vec3 skyIrradiance(vec3 n) {
@@ -139,7 +139,7 @@ Surface surfaceOf(vec3 base, float metallic, float roughness) {
 const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
 const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
 const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
-const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+const float kAtlasInner = 0.875; // what is not a square's border: 7 / 8
 
 // d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
 vec2 atlasPoint(vec3 d) {
@@ -162,7 +162,6 @@ vec3 reflectedSky(vec3 d, float level) {
 }
 
 struct Sum {
-  vec3 base; // linear base colour
   vec3 color; // linear radiance
 };
 
@@ -193,17 +192,17 @@ Angles anglesOf(Light light, View view) {
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
-  // One F_0 = mix(0.04, base, metalness) for both layers, and V's divisor 4 N.L N.V kept above 0.001. Of the lobe,
-  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  // One F_0 = mix(0.04, base, metalness) for both layers, and V's divisor 4 N.L N.V kept above 0.001. Schlick's
+  // F is F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
   float kept = min(4000.0 * angles.nDotL * view.nDotV, 1.0);
   float specular = angles.nDotL * kept * specularLobe(angles, view.nDotV, surface);
-  float rim = angles.fresnel * specular;
-  float face = specular - rim;
-  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
-  vec3 absorbed = entering * surface.tinted * surface.base;
-  vec3 tinted = surface.diffuse * entering + face * surface.metal - absorbed;
-  sum.color += (surface.base * tinted + (surface.dielectric * face + rim)) * light.radiance;
+  float lobeF90 = angles.fresnel * specular;
+  float lobeF0 = specular - lobeF90;
+  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
+  vec3 absorbed = weightF0 * surface.tinted * surface.base;
+  vec3 tinted = surface.diffuse * weightF0 + lobeF0 * surface.metal - absorbed;
+  sum.color += (surface.base * tinted + (surface.dielectric * lobeF0 + lobeF90)) * light.radiance;
 }
 
 struct Share { // of the sky's light
@@ -265,7 +264,6 @@ void main() {
   vec3 specular = reflection * (share.tinted * base.rgb + share.untinted);
   vec3 color = specular + (irradiance * share.scattered) * base.rgb;
   Sum sum;
-  sum.base = base.rgb;
   sum.color = color;
 
   addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);

@@ -67,7 +67,7 @@ vec3 mapNormal(vec3 texel, vec3 tangent, vec3 bitangent, vec3 normal) {
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
+  float oneMinusF0; // 1 - 0.04 (1 - metalness), with F_0 of what the base colour does not tint
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it
@@ -118,7 +118,7 @@ Surface surfaceOf(float metallic, float roughness) {
   Surface surface;
   surface.diffuse = 0.96 - 0.96 * metallic;
   surface.metal = metallic;
-  surface.clear = 0.96 + 0.04 * metallic;
+  surface.oneMinusF0 = 0.96 + 0.04 * metallic;
   surface.slope = 1.0 - alpha2;
   surface.smith = vec2(surface.slope, alpha2);
   surface.gain = 0.5 * alpha2;
@@ -157,13 +157,13 @@ Angles anglesOf(Light light, View view) {
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
-  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
-  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Schlick's F is
+  // F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
-  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
   float specular = specularLobe(angles, view.nDotV, surface);
-  sum.diffuse += light.radiance * (entering * (surface.metal * specular + surface.diffuse));
-  sum.specular += light.radiance * (specular * (angles.nDotL - entering * surface.clear));
+  sum.diffuse += light.radiance * (weightF0 * (surface.metal * specular + surface.diffuse));
+  sum.specular += light.radiance * (specular * (angles.nDotL - weightF0 * surface.oneMinusF0));
 }
 
 // distance2: in m^2. inverseRange2: 1 / range^2, 0 where the range is infinite.

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
-// No ambient light.
+// No ambient light: the sum that lights are added to.
 //! main
-  vec3 irradiance = vec3(0.0);
+  Sum sum;
+  sum.diffuse = vec3(0.0);
+  sum.specular = vec3(0.0);

@@ -2,12 +2,12 @@
 // What a surface reflects of one light, tinted at once.
 //! functions
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
-  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Of the lobe,
-  // Schlick's term goes to the rim, which nothing tints; the rest is F_0's.
+  // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Schlick's F is
+  // F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
-  float entering = angles.nDotL - angles.nDotL * angles.fresnel;
+  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
   float specular = specularLobe(angles, view.nDotV, surface);
-  float tinted = entering * (surface.diffuse + surface.metal * specular);
-  float untinted = (angles.nDotL - entering * surface.clear) * specular;
-  sum.color += (sum.base * tinted + untinted) * light.radiance;
+  float tinted = weightF0 * (surface.diffuse + surface.metal * specular);
+  float untinted = (angles.nDotL - weightF0 * surface.oneMinusF0) * specular;
+  sum.color += (surface.base * tinted + untinted) * light.radiance;
 }

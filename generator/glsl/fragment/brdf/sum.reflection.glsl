@@ -3,6 +3,5 @@
 // three registers instead of six.
 //! functions
 struct Sum {
-  vec3 base; // linear base colour
   vec3 color; // linear radiance
 };

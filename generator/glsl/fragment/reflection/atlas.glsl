@@ -9,7 +9,7 @@ uniform float uReflectionScale; // frame: root of the largest radiance that a te
 const float kAtlasPoint = 1.0462376; // v of that point, at u = 0: 1 / (1 - 2^(-9/2))
 const vec2 kAtlasHalf = vec2(0.25, 0.153218); // half a square of level 0: 1 / 4; 0.5 (1 - sqrt(1/2)) / (1 - 2^(-9/2))
 const float kAtlasNext = 0.70710678; // a level's size to that of the one before: sqrt(1/2)
-const float kAtlasInner = 0.875; // what is not a square's rim: 7 / 8
+const float kAtlasInner = 0.875; // what is not a square's border: 7 / 8
 
 // d: of any length. Returns where it lies in level 0, less the point that the levels shrink towards.
 vec2 atlasPoint(vec3 d) {

@@ -5,7 +5,7 @@
 // Two rectangles of an eighth of the atlas' width and height.
 const vec2 kIrradianceUpper = vec2(0.8125, 0.75); // the middle of the upper half's: 13 / 16, 3 / 4
 const vec2 kIrradianceLower = vec2(0.9375, 0.75); // the middle of the lower half's: 15 / 16, 3 / 4
-const float kIrradianceHalf = 0.0546875; // half of what is not a rim: 7 / 8 / 16
+const float kIrradianceHalf = 0.0546875; // half of what is not border: 7 / 8 / 16
 
 // n: unit, world space. Returns irradiance over pi: the linear radiance of a white surface.
 vec3 skyIrradiance(vec3 n) {

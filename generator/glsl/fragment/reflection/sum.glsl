@@ -2,5 +2,4 @@
 // The sum that lights are added to.
 //! main
   Sum sum;
-  sum.base = base.rgb;
   sum.color = color;

@@ -6,7 +6,7 @@ uniform vec3 uLobe; // material: 1 - alpha^2, and the shadowing's coefficients
   Surface surface;
   surface.diffuse = uReflectance.x;
   surface.metal = uReflectance.y;
-  surface.clear = uReflectance.w;
+  surface.oneMinusF0 = uReflectance.w;
   surface.slope = uLobe.x;
   surface.smith = uLobe.yz;
   surface.gain = 1.0; // folded into surface.smith

@@ -4,7 +4,7 @@
 struct Surface {
   float diffuse; // 0.96 (1 - metalness): what a dielectric lets in and scatters
   float metal; // metalness
-  float clear; // 1 - 0.04 (1 - metalness): what passes the untinted specular layer
+  float oneMinusF0; // 1 - 0.04 (1 - metalness), with F_0 of what the base colour does not tint
   float slope; // 1 - alpha^2, with alpha = roughness^2
   vec2 smith; // coefficients of the shadowing, by BRDF
   float gain; // the lobe's constant factor, where the shadowing's coefficients do not hold it

@@ -10,7 +10,7 @@ Surface surfaceOf(float metallic, float roughness) {
   surface.smith = vec2(2.0 - 2.0 * alpha, alpha); // first: saves 9 instructions on VideoCore IV
   surface.diffuse = 0.96 - 0.96 * metallic;
   surface.metal = metallic;
-  surface.clear = 0.96 + 0.04 * metallic;
+  surface.oneMinusF0 = 0.96 + 0.04 * metallic;
   surface.slope = 1.0 - alpha2;
   surface.gain = 0.5 * alpha2;
   return surface;

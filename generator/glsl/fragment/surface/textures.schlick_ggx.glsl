@@ -9,7 +9,7 @@ Surface surfaceOf(float metallic, float roughness) {
   Surface surface;
   surface.diffuse = 0.96 - 0.96 * metallic;
   surface.metal = metallic;
-  surface.clear = 0.96 + 0.04 * metallic;
+  surface.oneMinusF0 = 0.96 + 0.04 * metallic;
   surface.slope = 1.0 - alpha2;
   surface.smith = vec2(1.0 - 0.5 * alpha, 0.5 * alpha);
   surface.gain = 0.25 * alpha2;
