@@ -221,7 +221,7 @@ void checkTogether(const Options& options) {
             throw CLI::ValidationError("--pick", "the pixel is not one of the picture");
 }
 
-void addScene(CLI::App& app, Options& options) {
+void addModel(CLI::App& app, Options& options) {
     app.add_option("MODEL", options.model, "A .gltf or .glb file")->required();
     app.add_option(
            "--camera", options.camera,
@@ -234,14 +234,16 @@ void addScene(CLI::App& app, Options& options) {
         ->type_name("NAME");
     app.add_option("--animation", options.animation,
                    "One of the file's animations, by its name or its index in the file: the picture shows it "
-                   "at --time. "
-                   "Nodes, cameras and lights move, skins and morph targets stay at rest [none]")
+                   "at --time. Nodes, cameras and lights move, skins and morph targets stay at rest [none]")
         ->type_name("NAME|INDEX");
     app.add_option_function<std::string>(
            "--time", [&options](const std::string& text) { options.time = toNumber("--time", text); },
            "Of the animation, which holds its ends [0]")
         ->type_name("SECONDS")
         ->needs("--animation");
+}
+
+void addLights(CLI::App& app, Options& options) {
     app.add_option_function<std::vector<std::string>>(
            "--sun",
            [&options](const std::vector<std::string>& texts) {
@@ -262,6 +264,9 @@ void addScene(CLI::App& app, Options& options) {
         ->type_name("FILE");
     app.add_flag("--sky-sun", options.skySun,
                  "Takes the sun out of the sky, so that it is one more sun with sharp highlights");
+}
+
+void addExposure(CLI::App& app, Options& options) {
     app.add_option_function<std::string>(
            "--exposure",
            [&options](const std::string& text) {
@@ -273,9 +278,11 @@ void addScene(CLI::App& app, Options& options) {
                    throw CLI::ValidationError("--exposure", "it must be above 0");
            },
            "Multiplies all light; auto: so that a white surface that faces it is just white [1, or auto "
-           "where "
-           "over half of the model would be white]")
+           "where over half of the model would be white]")
         ->type_name("FACTOR|auto");
+}
+
+void addBackground(CLI::App& app, Options& options) {
     app.add_option_function<std::string>(
            "--background",
            [&options](const std::string& text) {
@@ -328,7 +335,10 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     Options options;
     CLI::App app(kAbout, "viewer");
     app.footer(kFooter);
-    addScene(app, options);
+    addModel(app, options);
+    addLights(app, options);
+    addExposure(app, options);
+    addBackground(app, options);
     addHeights(app, options);
     addTarget(app, options);
     addPrograms(app, options);

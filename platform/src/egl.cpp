@@ -43,6 +43,17 @@ Error lastEglError(const char* call, const char* remedy) {
     return Error{"surface.driver", call, "the driver reports " + nameOf(eglGetError()), remedy};
 }
 
+std::vector<EGLConfig> configsFor(EGLDisplay display, EGLint surfaceType, int depthBits, int samples) {
+    const EGLint attributes[] = {
+        EGL_DEPTH_SIZE,     depthBits,   EGL_SURFACE_TYPE, surfaceType, EGL_RENDERABLE_TYPE,
+        EGL_OPENGL_ES2_BIT, EGL_SAMPLES, samples,          EGL_NONE};
+    EGLint count = 0;
+    eglChooseConfig(display, attributes, nullptr, 0, &count);
+    std::vector<EGLConfig> configs(static_cast<std::size_t>(count));
+    eglChooseConfig(display, attributes, configs.data(), count, &count);
+    return configs;
+}
+
 Result<void> swapEglBuffers(EGLDisplay display, EGLSurface surface) {
     if (eglSwapBuffers(display, surface))
         return {};

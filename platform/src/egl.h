@@ -5,6 +5,8 @@
 
 #include <EGL/egl.h>
 
+#include <vector>
+
 namespace franken::platform {
 
 inline constexpr const char* kInstallEgl =
@@ -12,6 +14,10 @@ inline constexpr const char* kInstallEgl =
 
 /// Of the EGL call that failed just now.
 Error lastEglError(const char* call, const char* remedy);
+
+/// All configs of OpenGL ES 2 that draw to surfaces of that type (EGL_PBUFFER_BIT or EGL_WINDOW_BIT), the
+/// deepest colours first.
+std::vector<EGLConfig> configsFor(EGLDisplay display, EGLint surfaceType, int depthBits, int samples);
 
 /// eglSwapBuffers() with its errors: `surface.lost` when the context is gone, else `surface.driver`.
 Result<void> swapEglBuffers(EGLDisplay display, EGLSurface surface);

@@ -27,18 +27,11 @@ Result<EGLDisplay> openDisplay() {
 /// eglChooseConfig() puts the deepest colours first; the target has to be RGBA8 everywhere, to compare
 /// pictures.
 std::optional<EGLConfig> chooseConfig(EGLDisplay display, int depthBits, int samples) {
-    const EGLint attributes[] = {
-        EGL_DEPTH_SIZE,     depthBits,   EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
-        EGL_OPENGL_ES2_BIT, EGL_SAMPLES, samples,          EGL_NONE};
-    EGLint count = 0;
-    eglChooseConfig(display, attributes, nullptr, 0, &count);
-    std::vector<EGLConfig> configs(static_cast<std::size_t>(count));
-    eglChooseConfig(display, attributes, configs.data(), count, &count);
     const auto has8Bits = [&](EGLConfig config, EGLint channel) {
         EGLint bits = 0;
         return eglGetConfigAttrib(display, config, channel, &bits) && bits == 8;
     };
-    for (EGLConfig config : configs)
+    for (EGLConfig config : configsFor(display, EGL_PBUFFER_BIT, depthBits, samples))
         if (has8Bits(config, EGL_RED_SIZE) && has8Bits(config, EGL_GREEN_SIZE) &&
             has8Bits(config, EGL_BLUE_SIZE) && has8Bits(config, EGL_ALPHA_SIZE))
             return config;

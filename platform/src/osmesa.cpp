@@ -10,9 +10,9 @@
 // derivatives, textures of any size with mipmaps, float and depth textures), though all of it works. Programs
 // of #version 100 are compiled by the same rules, with the same macros.
 #include "backends.h"
+#include "shared_library.h"
 
 #include <GL/osmesa.h>
-#include <dlfcn.h>
 
 #include <cstdint>
 #include <vector>
@@ -34,23 +34,16 @@ struct Library {
 };
 
 Result<Library> Library::open() {
-    void* handle = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr)
-        return Error{"surface.not-installed", "dlopen", dlerror(), kInstall};
+    Result<SharedLibrary> file = SharedLibrary::open(kLibrary, kInstall);
+    if (!file)
+        return file.error();
     Library library;
-    const char* missing = nullptr;
-    const auto find = [&]<typename Function>(Function*& function, const char* name) {
-        function = reinterpret_cast<Function*>(dlsym(handle, name));
-        if (function == nullptr)
-            missing = name;
-    };
-    find(library.createContext, "OSMesaCreateContextExt");
-    find(library.destroyContext, "OSMesaDestroyContext");
-    find(library.makeCurrent, "OSMesaMakeCurrent");
-    find(library.getProcAddress, "OSMesaGetProcAddress");
-    if (missing != nullptr)
-        return Error{"surface.not-installed", kLibrary, std::string("the library has no ") + missing,
-                     kInstall};
+    file->find(library.createContext, "OSMesaCreateContextExt");
+    file->find(library.destroyContext, "OSMesaDestroyContext");
+    file->find(library.makeCurrent, "OSMesaMakeCurrent");
+    file->find(library.getProcAddress, "OSMesaGetProcAddress");
+    if (Result<void> found = file->found(); !found)
+        return found.error();
     return library;
 }
 

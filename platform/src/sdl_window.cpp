@@ -3,11 +3,11 @@
 // A window on a desktop, to develop with. SDL2 is opened at run time and kept to ourselves, as OSMesa is: a
 // kiosk on a Pi need not install it.
 #include "backends.h"
+#include "shared_library.h"
 
 #ifdef FRANKEN_SDL
 
 #include <SDL.h>
-#include <dlfcn.h>
 
 namespace franken::platform {
 
@@ -33,22 +33,15 @@ struct Sdl {
 };
 
 Result<Sdl> Sdl::open() {
-    void* handle = dlopen(kLibrary, RTLD_NOW | RTLD_LOCAL);
-    if (handle == nullptr)
-        return Error{"surface.not-installed", "dlopen", dlerror(), kInstall};
+    Result<SharedLibrary> file = SharedLibrary::open(kLibrary, kInstall);
+    if (!file)
+        return file.error();
     Sdl sdl;
-    const char* missing = nullptr;
-    const auto find = [&]<typename Function>(Function*& function, const char* name) {
-        function = reinterpret_cast<Function*>(dlsym(handle, name));
-        if (function == nullptr)
-            missing = name;
-    };
-#define FRANKEN_SDL_FIND(name) find(sdl.name, "SDL_" #name);
+#define FRANKEN_SDL_FIND(name) file->find(sdl.name, "SDL_" #name);
     FRANKEN_SDL_FUNCTIONS(FRANKEN_SDL_FIND)
 #undef FRANKEN_SDL_FIND
-    if (missing != nullptr)
-        return Error{"surface.not-installed", kLibrary, std::string("the library has no ") + missing,
-                     kInstall};
+    if (Result<void> found = file->found(); !found)
+        return found.error();
     return sdl;
 }
 

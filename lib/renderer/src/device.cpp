@@ -38,4 +38,11 @@ void Device::restore(const Gl& table, const Capabilities& found) {
     state.invalidate();
 }
 
+void Device::begin(const DrawTarget& target) {
+    gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
+    const TargetArea area = areaOf(target);
+    gl.Viewport(area.x, area.y, area.width, area.height);
+    state.setBaseline();
+}
+
 } // namespace franken

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/capabilities.h"
+#include "franken/draw_target.h"
 #include "franken/gl_state.h"
 #include "franken/gpu_memory.h"
 #include "franken/log.h"
@@ -20,6 +21,9 @@ public:
     void lost();
     /// Another context is current.
     void restore(const Gl& table, const Capabilities& found);
+
+    /// From now on draws go to that area of the target, with all state that no draw sets at its baseline.
+    void begin(const DrawTarget& target);
 
     OwnThread thread;
     Gl gl; ///< A copy, so that it can be replaced when the context is lost.

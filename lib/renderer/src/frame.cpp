@@ -117,10 +117,7 @@ PlacedView Frame::viewFrom(const Viewpoint& viewpoint, Rotation rotation) const 
 
 void Frame::begin(const DrawTarget& target) {
     GlState& state = m_device.state;
-    m_device.gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    const TargetArea area = areaOf(target);
-    m_device.gl.Viewport(area.x, area.y, area.width, area.height);
-    state.setBaseline();
+    m_device.begin(target);
     state.setBlending(false);
     state.setDepthTest(true);
     state.setDepthWrites(true);

@@ -113,17 +113,14 @@ Result<void> Overlay::prepare(const Look& look) {
 
 void Overlay::begin(const DrawTarget& target) {
     GlState& state = m_device.state;
-    m_device.gl.BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    const TargetArea area = areaOf(target);
-    m_device.gl.Viewport(area.x, area.y, area.width, area.height);
-    state.setBaseline();
+    m_device.begin(target);
     state.setBlending(true);
     state.setDepthTest(true); // As in all other draws: vc4 compiles a program again without it.
     state.setDepthWrites(false);
     state.setDepthRange(0, 0);
     state.setCulling(false);
     ObjectBlock object{};
-    object.overlay = pixelsToClip(area, target.rotation);
+    object.overlay = pixelsToClip(areaOf(target), target.rotation);
     m_object.set(object);
     MaterialBlock material{};
     material.baseColor = {1, 1, 1, 1};

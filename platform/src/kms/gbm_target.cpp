@@ -69,14 +69,7 @@ Result<void> GbmTarget::openContext() {
 }
 
 Result<EGLConfig> GbmTarget::chooseConfig(std::uint32_t fourcc, int samples) const {
-    const EGLint attributes[] = {
-        EGL_DEPTH_SIZE,     m_depthBits, EGL_SURFACE_TYPE, EGL_WINDOW_BIT, EGL_RENDERABLE_TYPE,
-        EGL_OPENGL_ES2_BIT, EGL_SAMPLES, samples,          EGL_NONE};
-    EGLint count = 0;
-    eglChooseConfig(m_display, attributes, nullptr, 0, &count);
-    std::vector<EGLConfig> configs(static_cast<std::size_t>(count));
-    eglChooseConfig(m_display, attributes, configs.data(), count, &count);
-    for (EGLConfig config : configs) {
+    for (EGLConfig config : configsFor(m_display, EGL_WINDOW_BIT, m_depthBits, samples)) {
         EGLint visual = 0;
         if (eglGetConfigAttrib(m_display, config, EGL_NATIVE_VISUAL_ID, &visual) &&
             static_cast<std::uint32_t>(visual) == fourcc)

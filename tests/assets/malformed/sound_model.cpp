@@ -65,6 +65,30 @@ void addTriangle(GltfBuilder& file) {
     file.json["scenes"][0]["name"] = "stage";
 }
 
+void addCameras(GltfBuilder& file) {
+    file.json["cameras"] = {
+        {{"name", "near"},
+         {"type", "perspective"},
+         {"perspective", {{"aspectRatio", 1.5}, {"yfov", 0.8}, {"zfar", 10}, {"znear", 0.1}}}},
+        {{"name", "far"},
+         {"type", "orthographic"},
+         {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 10}, {"znear", 0.1}}}}};
+}
+
+void addNodes(GltfBuilder& file) {
+    file.json["nodes"] = {
+        {{"name", "root"}, {"mesh", 0}, {"skin", 0}, {"children", {1, 2}}, {"weights", {0.5}}},
+        {{"name", "joint"},
+         {"translation", {0, 0, 1}},
+         {"rotation", {0, 0, 0, 1}},
+         {"scale", {1, 1, 1}},
+         {"camera", 0}},
+        {{"name", "lamp"},
+         {"camera", 1},
+         {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
+         {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}};
+}
+
 } // namespace
 
 // Each property that the schema of the loader knows occurs at least once; unused ones would test nothing.
@@ -89,13 +113,7 @@ GltfBuilder soundModel() {
     const int matrices = file.floats("MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1});
     file.json["skins"] = {
         {{"name", "skin"}, {"joints", {1}}, {"inverseBindMatrices", matrices}, {"skeleton", 1}}};
-    file.json["cameras"] = {
-        {{"name", "near"},
-         {"type", "perspective"},
-         {"perspective", {{"aspectRatio", 1.5}, {"yfov", 0.8}, {"zfar", 10}, {"znear", 0.1}}}},
-        {{"name", "far"},
-         {"type", "orthographic"},
-         {"orthographic", {{"xmag", 1}, {"ymag", 1}, {"zfar", 10}, {"znear", 0.1}}}}};
+    addCameras(file);
     file.json["extensions"]["KHR_lights_punctual"]["lights"] = {
         {{"name", "spot"},
          {"type", "spot"},
@@ -103,16 +121,6 @@ GltfBuilder soundModel() {
          {"intensity", 5},
          {"range", 9},
          {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.5}}}}};
-    file.json["nodes"] = {
-        {{"name", "root"}, {"mesh", 0}, {"skin", 0}, {"children", {1, 2}}, {"weights", {0.5}}},
-        {{"name", "joint"},
-         {"translation", {0, 0, 1}},
-         {"rotation", {0, 0, 0, 1}},
-         {"scale", {1, 1, 1}},
-         {"camera", 0}},
-        {{"name", "lamp"},
-         {"camera", 1},
-         {"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}},
-         {"extensions", {{"KHR_lights_punctual", {{"light", 0}}}}}}};
+    addNodes(file);
     return file;
 }
