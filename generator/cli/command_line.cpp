@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app.h"
 #include "franken/nearest.h"
-#include "json.h"
 #include "program.h"
 
 #include <algorithm>

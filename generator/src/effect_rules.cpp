@@ -2,7 +2,6 @@
 #include "effect_rules.h"
 
 #include "franken/generator/choices.h"
-#include "franken/nearest.h"
 #include "snippet.h"
 
 #include <algorithm>

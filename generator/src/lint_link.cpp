@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lint_rules.h"
 
-#include <algorithm>
-
 namespace franken {
 namespace {
 

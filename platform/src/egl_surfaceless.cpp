@@ -5,7 +5,6 @@
 #include <EGL/eglext.h>
 
 #include <optional>
-#include <vector>
 
 namespace franken::platform {
 

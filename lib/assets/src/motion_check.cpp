@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "franken/pose.h"
-
 namespace franken {
 namespace {
 

@@ -3,12 +3,10 @@
 
 #include "motion_check.h"
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace franken {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "checks.h"
 
-#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 

@@ -2,7 +2,6 @@
 #include "equal_data.h"
 
 #include <cstring>
-#include <span>
 #include <string_view>
 
 namespace franken {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "object_block.h"
 
-#include <algorithm>
-
 namespace franken {
 namespace {
 

@@ -4,8 +4,6 @@
 #include "handle.h"
 #include "models.h"
 
-#include <algorithm>
-
 namespace franken {
 
 const Place* Models::find(PlaceId id) const {

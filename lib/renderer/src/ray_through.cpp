@@ -9,7 +9,6 @@
 #include <glm/matrix.hpp>
 
 #include <cmath>
-#include <utility>
 
 namespace franken {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "franken/viewpoint.h"
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 

@@ -2,8 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
 
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"

@@ -2,7 +2,6 @@
 #include "franken/complete.h"
 
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>

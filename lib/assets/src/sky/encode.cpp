@@ -5,7 +5,6 @@
 #include <numbers>
 #include <numeric>
 
-#include <glm/common.hpp>
 #include <glm/exponential.hpp>
 
 #include "sky/sky.h"

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
+#include <glm/ext/vector_float2.hpp>
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 
 #include "helper_threads.h"
 

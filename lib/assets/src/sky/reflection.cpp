@@ -2,13 +2,10 @@
 #include "franken/reflection.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
 #include "helper_threads.h"

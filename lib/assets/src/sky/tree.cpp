@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include <glm/geometric.hpp>
-#include <glm/vec2.hpp>
 
 #include "sky/sky.h"
 
