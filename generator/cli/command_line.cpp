@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app.h"
+#include "effects.h"
 #include "franken/nearest.h"
-#include "program.h"
 
 #include <algorithm>
 

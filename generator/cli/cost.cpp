@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "columns.h"
 #include "commands.h"
+#include "effects.h"
 #include "json.h"
-#include "program.h"
 #include "selection.h"
 
 #include <cmath>

@@ -2,6 +2,7 @@
 #include "commands.h"
 #include "depfile.h"
 #include "dump_c.h"
+#include "effects.h"
 #include "franken/file_writer.h"
 #include "json.h"
 #include "program.h"
@@ -129,13 +130,21 @@ fs::path targetOf(const DumpOptions& options) {
     return files ? fs::path(options.output) / "manifest.json" : fs::path(options.output);
 }
 
-// What the output changes with: the list of names, and this program, which has the snippets in it.
+std::vector<fs::path> inputsOf(const DumpOptions& options) {
+    std::vector<fs::path> inputs = effectFiles();
+    if (const std::string& manifest = options.selection.manifest; !manifest.empty() && manifest != "-")
+        inputs.insert(inputs.begin(), manifest);
+    return inputs;
+}
+
+// What the output changes with: the files that it was made from, and this program, which has the snippets in
+// it.
 Result<void> writeDepfile(const DumpOptions& options) {
     if (options.depfile.empty())
         return {};
     std::vector<std::string> sources;
-    if (const std::string& manifest = options.selection.manifest; !manifest.empty() && manifest != "-")
-        sources.push_back(manifest);
+    for (const fs::path& input : inputsOf(options))
+        sources.push_back(input.string());
     std::error_code unknown;
     if (const fs::path self = fs::read_symlink("/proc/self/exe", unknown); !unknown)
         sources.push_back(self.string());
@@ -151,12 +160,13 @@ bool isOutput(const DumpOptions& options, const fs::path& file) {
 }
 
 Result<void> checkOutputs(const DumpOptions& options) {
-    const fs::path manifest = options.selection.manifest == "-" ? "" : options.selection.manifest;
+    const std::vector<fs::path> inputs = inputsOf(options);
     std::vector<fs::path> outputs = {targetOf(options), options.depfile};
-    if (isOutput(options, manifest))
-        outputs.push_back(fs::path(options.output) / manifest.filename());
+    for (const fs::path& input : inputs)
+        if (isOutput(options, input))
+            outputs.push_back(fs::path(options.output) / input.filename());
     for (const fs::path& output : outputs)
-        if (const Result<void> checked = checkNotInput(output, {{manifest}}); !checked)
+        if (const Result<void> checked = checkNotInput(output, inputs); !checked)
             return checked;
     std::error_code unknown;
     if (!options.depfile.empty() &&

@@ -69,7 +69,7 @@ std::string uniforms(const Interface& interface, const std::string& name) {
     for (const Uniform& each : interface.uniforms)
         rows += "    {" + inQuotes(each.name) + ", " + inQuotes(toGlsl(each.type)) + ", " +
                 inQuotes(toText(each.block)) + ", " + std::to_string(each.count) + ", " +
-                std::to_string(fieldOffset(each.block, each.name)) + "},\n";
+                std::to_string(fieldOffset(each)) + "},\n";
     return table("FrankenUniform", name, rows, "{0, 0, 0, 0, 0}");
 }
 

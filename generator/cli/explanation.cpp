@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "explanation.h"
 
+#include "effects.h"
+
 #include <algorithm>
 
 namespace franken::cli {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "json.h"
 
+#include "effects.h"
 #include "franken/generator/choices.h"
 #include "franken/generator/pack.h"
-#include "program.h"
 
 #include <nlohmann/json.hpp>
 
@@ -49,7 +49,7 @@ Json toJson(const Interface& interface) {
                                     {"type", toGlsl(each.type)},
                                     {"count", each.count},
                                     {"block", toText(each.block)},
-                                    {"offset", fieldOffset(each.block, each.name)},
+                                    {"offset", fieldOffset(each)},
                                     {"stages", stagesOf(each)}});
     for (const Sampler& each : interface.samplers)
         json["samplers"].push_back({{"name", each.name},

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "columns.h"
 #include "commands.h"
+#include "effects.h"
 #include "franken/generator/choices.h"
 #include "json.h"
-#include "program.h"
 #include "selection.h"
 
 namespace franken::cli {

@@ -8,14 +8,6 @@
 
 namespace franken::cli {
 
-/// The snippets of this run: the built-in ones, with the effects of --effects.
-const SnippetSet& snippets();
-
-/// Adds the effect of a file, or of each .glsl file of a folder, to them; its name is the file's without
-/// ".glsl". Fails with "effect.file" where it cannot be read or a folder holds none, and as Effect::parse()
-/// and SnippetSet::with() do.
-Result<void> addEffects(const std::vector<std::string>& paths);
-
 /// A composed permutation and what it is called.
 struct Program {
     explicit Program(const Permutation& canonical);

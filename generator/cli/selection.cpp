@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "selection.h"
 
+#include "effects.h"
 #include "franken/generator/compose.h"
 #include "franken/generator/covering.h"
 #include "franken/generator/space.h"
 #include "franken/printable.h"
 #include "manifest.h"
-#include "program.h"
 
 #include <algorithm>
 #include <memory>

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <map>
+
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,6 +17,8 @@
 using nlohmann::json;
 
 namespace {
+
+const std::string kDim = "//! light\nvec3 onLight(vec3 color) {\n  return 0.5 * color;\n}\n";
 
 class CliBuild : public Cli {
 protected:
@@ -89,6 +93,20 @@ TEST_F(CliBuild, JsonHasTheOffsetsOfUniforms) {
     EXPECT_EQ(nlohmann::ordered_json::parse(two).dump(2) + "\n", two);
 }
 
+// Its second value lies behind the first vec4, whichever of them a hook reads.
+TEST_F(CliBuild, ValuesOfAnEffectHaveOffsetsToo) {
+    const std::string dump =
+        "dump --effects '" FRANKEN_SOURCE_DIR "/tests/golden/effects/hooks.glsl' sun1+hooks ";
+    std::map<std::string, int> offsets;
+    const json document = json::parse(run(dump + "--json").out);
+    for (const json& uniform : document["programs"][0]["interface"]["uniforms"])
+        if (uniform["block"] == "user")
+            offsets[uniform["name"]] = uniform["offset"];
+    EXPECT_EQ(offsets, (std::map<std::string, int>{{"uWave", 0}, {"uTint", 4}}));
+    const std::string header = run(dump + "--format c").out;
+    EXPECT_NE(header.find("{\"uTint\", \"vec4\", \"user\", 1, 4}"), std::string::npos) << header;
+}
+
 TEST_F(CliBuild, WritesDependencies) {
     const std::string odd = "my $names #1.txt";
     std::ofstream(path(odd)) << "sun1\n";
@@ -99,6 +117,9 @@ TEST_F(CliBuild, WritesDependencies) {
     ASSERT_EQ(run("dump sun1 -o folder --depfile folder.d").code, 0);
     EXPECT_TRUE(read("folder.d").starts_with("folder/manifest.json:"));
     EXPECT_EQ(run("dump sun1 --depfile x.d").code, 2) << "it has no target";
+    std::ofstream(path("dim.glsl")) << kDim;
+    ASSERT_EQ(run("dump sun1+dim --effects dim.glsl --format c -o dim.h --depfile dim.d").code, 0);
+    EXPECT_TRUE(read("dim.d").starts_with("dim.h: \\\n  dim.glsl")) << read("dim.d");
     if (shell("make --version").code == 0) {
         std::ofstream(path("Makefile")) << "out.h:\n\t@echo made\n-include out.d\n";
         EXPECT_EQ(shell("make -s out.h").out, "");
@@ -106,7 +127,7 @@ TEST_F(CliBuild, WritesDependencies) {
     }
 }
 
-TEST_F(CliBuild, NoOutputOverwritesTheListOfNames) {
+TEST_F(CliBuild, NoOutputOverwritesAnInput) {
     for (const char* name : {"warm.txt", "made/manifest.json", "made/sun1.vert", "made/a.shader_test"}) {
         fs::create_directories(path("made"));
         std::ofstream(path(name)) << "sun1\n";
@@ -124,6 +145,10 @@ TEST_F(CliBuild, NoOutputOverwritesTheListOfNames) {
         EXPECT_EQ(read(name), "sun1\n");
         fs::remove_all(path("made"));
     }
+    std::ofstream(path("dim.vert")) << kDim;
+    for (const char* output : {"--format c -o dim.vert", "-o other --depfile ./dim.vert", "-o ."})
+        EXPECT_EQ(run("dump sun1+dim --effects dim.vert " + std::string(output)).code, 2) << output;
+    EXPECT_EQ(read("dim.vert"), kDim);
     EXPECT_EQ(run("dump sun1 --format c -o a.h --depfile a.h").code, 2);
     EXPECT_FALSE(fs::exists(path("a.h")));
 }

@@ -74,7 +74,7 @@ const void* addressOf(const Blocks& blocks, Block block) {
 }
 
 nlohmann::json valuesOf(const Blocks& blocks, const Uniform& uniform) {
-    const int offset = fieldOffset(uniform.block, uniform.name);
+    const int offset = fieldOffset(uniform);
     const auto* floats = static_cast<const float*>(addressOf(blocks, uniform.block)) + offset;
     const auto count = static_cast<std::size_t>(componentCount(uniform.type) * uniform.count);
     return std::vector<float>(floats, floats + count);
