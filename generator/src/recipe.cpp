@@ -141,7 +141,9 @@ constexpr std::array kSlots = {
          {{"occlusion/packed", packedOcclusion}, {"occlusion/texture", always, &Permutation::occlusionUv}}},
 
     Slot{kFragment, kReflected, {{"reflection/irradiance"}}},
-    Slot{kFragment, kDirect, {{"surface/surface.seed", kSeed}, {"surface/surface.reflection", kReflected}, {"surface/surface"}}},
+    Slot{kFragment,
+         kDirect,
+         {{"surface/surface.seed", kSeed}, {"surface/surface.reflection", kReflected}, {"surface/surface"}}},
     Slot{kFragment, kDirect, {{"lights/angles.fp16", kFp16}, {"lights/angles"}}},
     Slot{kFragment, [](P, N n) { return n.direct && !lightsPerVertex(n); }, {{"brdf/schlick"}}},
     Slot{kFragment, kDirect, {{"brdf/ggx.fp16", kFp16}, {"brdf/ggx"}}},
@@ -180,7 +182,9 @@ constexpr std::array kSlots = {
     Slot{
         kFragment, [](P, N n) { return n.ambient && n.occlusion && !n.reflection; }, {{"occlusion/occlude"}}},
     Slot{kFragment, kDirect, {{"brdf/sum.reflection", kReflected}, {"brdf/sum"}}},
-    Slot{kFragment, [](P, N n) { return n.direct && !n.reflection; }, {{"ambient/sum", needs<&Needs::ambient>}, {"ambient/none"}}},
+    Slot{kFragment,
+         [](P, N n) { return n.direct && !n.reflection; },
+         {{"ambient/sum", needs<&Needs::ambient>}, {"ambient/none"}}},
     Slot{kFragment, kTangent, {{"inputs/sun_tangent_space"}}, Each::Sun},
     Slot{kFragment,
          [](P, N n) { return n.direct || n.reflection; },

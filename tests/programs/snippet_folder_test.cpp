@@ -45,7 +45,8 @@ TEST_F(SnippetSetTest, TheSourceTreesFolderIsWhatIsBuiltIn) {
 }
 
 TEST_F(SnippetSetTest, AChangedFileChangesTheProgramsThatHaveIt) {
-    write("fragment/ambient/none.glsl", read("fragment/ambient/none.glsl") + "  sum.diffuse += vec3(0.25);\n");
+    write("fragment/ambient/none.glsl",
+          read("fragment/ambient/none.glsl") + "  sum.diffuse += vec3(0.25);\n");
     const Result<SnippetSet> set = readSnippets(m_folder);
     ASSERT_TRUE(set) << toString(set.error());
     const Composed lit = compose(permutation("sun1"), *set);

@@ -56,12 +56,12 @@ std::span<const EffectHook> effectHooks();
 ///       return mix(uFog.rgb, color, exp2(-uFog.w * length(toEye)));
 ///     }
 ///
-/// | section      | function                                       | runs |
-/// |--------------|------------------------------------------------|------|
-/// | `vertex`     | `vec3 onVertex(vec3 position)`                 | before all matrices; model space, m |
-/// | `base-color` | `vec4 onBaseColor(vec4 base)`                  | after the base colour; linear RGB, alpha
-/// | | `surface`    | `void onSurface(inout vec3 normal, ...)`       | before the light, on lit surfaces | |
-/// `light`      | `vec3 onLight(vec3 color, ...)`                | on the sum of light, before the tone map |
+/// | section      | function                                 | runs                                     |
+/// |--------------|------------------------------------------|------------------------------------------|
+/// | `vertex`     | `vec3 onVertex(vec3 position)`           | before all matrices; model space, m      |
+/// | `base-color` | `vec4 onBaseColor(vec4 base)`            | after the base colour; linear RGB, alpha |
+/// | `surface`    | `void onSurface(inout vec3 normal, ...)` | before the light, on lit surfaces        |
+/// | `light`      | `vec3 onLight(vec3 color, ...)`          | on the sum of light, before the tone map |
 ///
 /// onSurface() takes any of `inout vec3 normal`, `inout float metallic`, `inout float roughness` and `vec3
 /// toEye`; onLight() takes `vec3 normal` and `vec3 toEye` after the colour. The normal is unit, and must stay
