@@ -193,12 +193,13 @@ Result<Effect> Effect::parse(std::string name, std::string_view text, std::strin
     if (text.size() > kMaxBytes)
         return badEffect("effect.text", printable(file), 0, "the text is larger than 16 KiB",
                          "an effect is some lines of GLSL");
+    text = withoutByteOrderMark(text);
     auto effect = std::make_shared<Text>();
     effect->name = std::move(name);
     effect->file = keptFor(std::move(file));
     effect->hash = crc32(text);
     effect->word = wordOf(effect->name, effect->hash);
-    if (Result<void> read = Reader(*effect).read(withoutByteOrderMark(text)); !read)
+    if (Result<void> read = Reader(*effect).read(text); !read)
         return read.error();
     return Effect(std::move(effect));
 }

@@ -51,6 +51,12 @@ TEST(Effect, HasItsNameAndTheHashOfItsTextInTheNamesOfPrograms) {
     EXPECT_EQ(toName(foggy), "basecolor+sun1+effect#1") << "of a set that has not got it";
 }
 
+TEST(Effect, HasTheSameHashWithAByteOrderMark) {
+    const Result<Effect> marked = Effect::parse("fog", "\xEF\xBB\xBF" + kFog, "fog.glsl");
+    ASSERT_TRUE(marked);
+    EXPECT_EQ(marked->hash(), setWith("fog", kFog).effects()[0].hash());
+}
+
 TEST(Effect, IsASlotInTheKey) {
     const SnippetSet one = setWith("fog", kFog);
     const Result<SnippetSet> two = one.with(*Effect::parse("rim", kRim, "rim.glsl"));
