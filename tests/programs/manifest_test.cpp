@@ -100,6 +100,19 @@ TEST_F(ManifestTest, LinesOfAnotherRunsEffectStay) {
     EXPECT_EQ(*readManifest(file(), dim), std::vector{useOf("sun2+dim", dim)});
 }
 
+TEST_F(ManifestTest, AProgramThatHasNoNameHereSpoilsNoList) {
+    const SnippetSet dark = setWith("dark", kDarker);
+    const std::vector<ProgramUse> uses = {use("sun1"), useOf("sun1+dark", dark)};
+    const std::vector<ProgramUse> named = {use("sun1")};
+    ASSERT_TRUE(writeManifest(file(), uses));
+    EXPECT_EQ(*readManifest(file()), named);
+    ASSERT_TRUE(appendToManifest(file(), uses));
+    EXPECT_EQ(*readManifest(file()), named);
+    put("sun1\n");
+    ASSERT_TRUE(appendToManifest(file(), uses));
+    EXPECT_EQ(*readManifest(file()), named);
+}
+
 TEST_F(ManifestTest, WhatIsWrittenIsReadBack) {
     ASSERT_TRUE(writeManifest(file(), someUses()));
     const Result<std::vector<ProgramUse>> read = readManifest(file());

@@ -82,12 +82,17 @@ std::string textOf(const ManifestLine& line) {
 std::string manifestLinesOf(std::span<const ProgramUse> uses, const SnippetSet& snippets) {
     std::string text;
     for (const ProgramUse& use : uses)
-        text += lineOf(use, snippets);
+        if (snippets.check(use.permutation.effect))
+            text += lineOf(use, snippets);
     return text;
 }
 
+std::string manifestOfLines(const std::string& lines) {
+    return wholeManifest(lines, static_cast<std::size_t>(std::count(lines.begin(), lines.end(), '\n')));
+}
+
 std::string toManifest(std::span<const ProgramUse> uses, const SnippetSet& snippets) {
-    return wholeManifest(manifestLinesOf(uses, snippets), uses.size());
+    return manifestOfLines(manifestLinesOf(uses, snippets));
 }
 
 Result<ManifestContents> readContents(std::string_view text, const std::string& name,

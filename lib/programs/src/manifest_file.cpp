@@ -139,14 +139,11 @@ Result<void> appendToManifest(const fs::path& file, std::span<const ProgramUse> 
     std::vector<ProgramUse> all = std::move(existing->contents.uses);
     all.insert(all.end(), missing.begin(), missing.end());
     std::string lines = manifestLinesOf(all, snippets);
-    std::size_t count = all.size();
+    // An effect that is missing here may be another run's; a text that is gone is not kept.
     for (const SkippedLine& skipped : existing->contents.skipped)
-        if (skipped.error.code ==
-            "effect.missing") { // An effect of another run's; a text that is gone is not kept.
+        if (skipped.error.code == "effect.missing")
             lines += skipped.text;
-            ++count;
-        }
-    return write(file, wholeManifest(lines, count));
+    return write(file, manifestOfLines(lines));
 }
 
 } // namespace franken

@@ -5,8 +5,11 @@
 
 namespace franken {
 
-/// The lines of these programs alone, for a list that someone wrote by hand.
+/// The lines of these programs alone. One whose effect the set has not got has no name, and no line.
 std::string manifestLinesOf(std::span<const ProgramUse> uses, const SnippetSet& snippets);
+
+/// A whole manifest of such lines.
+std::string manifestOfLines(const std::string& lines);
 
 /// A line whose program has an effect that the set has not got, or with another text.
 struct SkippedLine {

@@ -29,7 +29,8 @@ namespace FRANKEN_API franken {
 ///
 /// A program with an effect of the application's (effect.h) is named with it and a hash of its text. All
 /// functions take the snippets of the run. A program whose effect they have not got, or with another text, is
-/// skipped, and the log says which effect and what to do; a file keeps the former when programs are added.
+/// skipped, and the log says which effect and what to do; a file keeps the former when programs are added. A
+/// program that is to be written, but whose effect the snippets have not got, has no name and is left out.
 ///
 /// Needs no GL; any thread.
 inline constexpr std::size_t kMaxManifestBytes = std::size_t{1} << 20;
