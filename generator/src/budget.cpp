@@ -5,6 +5,7 @@
 #include "franken/generator/compose.h"
 #include "franken/generator/effect.h"
 #include "franken/generator/texture_role.h"
+#include "without.h"
 
 #include <algorithm>
 #include <numeric>
@@ -226,8 +227,8 @@ std::vector<Feature> costlyFeatures(const Permutation& permutation, Resource res
                                     const SnippetSet& snippets) {
     const int used = usedOf(compose(permutation, snippets).interface, resource);
     std::vector<Feature> features;
-    const auto tryWithout = [&](std::string_view word, const Permutation& without) {
-        const auto canonical = canonicalise(without);
+    const auto tryLess = [&](std::string_view word, const Permutation& less) {
+        const auto canonical = canonicalise(less);
         if (!canonical)
             return;
         if (const int left = usedOf(compose(canonical->permutation, snippets).interface, resource);
@@ -235,16 +236,10 @@ std::vector<Feature> costlyFeatures(const Permutation& permutation, Resource res
             features.push_back({std::string(word), left});
     };
     for (const Choice& choice : choices())
-        if (const unsigned value = choice.get(permutation); value != 0 && choice.name != "program") {
-            Permutation without = permutation;
-            choice.set(without, 0);
-            tryWithout(choice.options[value].word, without);
-        }
-    if (const Effect* const effect = snippets.effectOf(permutation.effect); effect != nullptr) {
-        Permutation without = permutation;
-        without.effect = {};
-        tryWithout(effect->name(), without);
-    }
+        if (const unsigned value = choice.get(permutation); value != 0 && choice.name != "program")
+            tryLess(choice.options[value].word, without(permutation, choice));
+    if (const Effect* const effect = snippets.effectOf(permutation.effect); effect != nullptr)
+        tryLess(effect->name(), withoutEffect(permutation));
     std::stable_sort(features.begin(), features.end(),
                      [](const Feature& a, const Feature& b) { return a.used < b.used; });
     return features;

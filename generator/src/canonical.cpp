@@ -6,6 +6,7 @@
 #include "franken/generator/choices.h"
 #include "franken/generator/texture_role.h"
 #include "recipe.h"
+#include "without.h"
 
 #include <algorithm>
 #include <optional>
@@ -23,27 +24,20 @@ Outlines outlines(const Permutation& p) { return {outline(p, Stage::Vertex), out
 template<typename Drop>
 Permutation reduce(Permutation permutation, Drop drop) {
     const Outlines wanted = outlines(permutation);
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (const Choice& choice : choices()) {
-            const unsigned value = choice.get(permutation);
-            if (value == 0)
-                continue;
-            Permutation without = permutation;
-            choice.set(without, 0);
-            if (outlines(without) != wanted)
-                continue;
-            drop(choice.options[value].word, choice.name);
-            permutation = without;
-            changed = true;
-        }
-        Permutation without = permutation;
-        without.effect = {};
-        if (permutation.effect.slot != 0 && outlines(without) == wanted) {
-            drop("effect", "effect");
-            permutation = without;
-            changed = true;
-        }
+    bool changed = true;
+    const auto leaveOut = [&](const Permutation& less, std::string_view word, std::string_view choice) {
+        if (outlines(less) != wanted)
+            return;
+        drop(word, choice);
+        permutation = less;
+        changed = true;
+    };
+    while (std::exchange(changed, false)) {
+        for (const Choice& choice : choices())
+            if (const unsigned value = choice.get(permutation); value != 0)
+                leaveOut(without(permutation, choice), choice.options[value].word, choice.name);
+        if (permutation.effect.slot != 0)
+            leaveOut(withoutEffect(permutation), "effect", "effect");
     }
     return permutation;
 }
@@ -121,8 +115,7 @@ std::optional<Error> findContradiction(const Permutation& p) {
             return Error{"permutation.range", std::string(choice.name), "the value is out of range",
                          "the largest is " + std::to_string(choice.options.size() - 1)};
     if (!isEffect(p.effect))
-        return Error{"permutation.range", "effect", "this is no effect",
-                     "choose one with SnippetSet::chooseEffect()"};
+        return noEffect("effect");
     for (const Rule& rule : kRules)
         if (rule.broken(p))
             return contradiction(choiceNamed(rule.choice), p, std::string(rule.what),

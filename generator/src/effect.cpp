@@ -44,12 +44,6 @@ std::optional<Type> typeOf(std::string_view word) {
     return std::nullopt;
 }
 
-bool mentions(std::string_view text, std::string_view name) {
-    const Syntax syntax = parseGlsl(text);
-    return std::any_of(syntax.tokens.begin(), syntax.tokens.end(),
-                       [name](const Token& token) { return token.is(name); });
-}
-
 class Reader {
 public:
     explicit Reader(Effect::Text& effect) : m_effect(effect) {}
@@ -169,7 +163,7 @@ private:
     Result<void> checkUse(const Effect::Text::Declaration& declaration) const {
         bool vertex = false, fragment = false;
         for (const Effect::Text::Hook& hook : m_effect.hooks)
-            if (mentions(hook.text, declaration.name))
+            if (parseGlsl(hook.text).mentions(declaration.name))
                 (hook.hook->trait == kVertexHook ? vertex : fragment) = true;
         if (declaration.varying && !(vertex && fragment))
             return refuse("effect.uniform", declaration.line,

@@ -9,11 +9,6 @@
 namespace franken {
 namespace {
 
-bool mentions(const Syntax& syntax, std::string_view name) {
-    return std::any_of(syntax.tokens.begin(), syntax.tokens.end(),
-                       [name](const Token& token) { return token.is(name); });
-}
-
 LineOrigin originIn(const Effect::Text& text, int line) { return {text.file, line, true}; }
 
 void declare(Part& part, const Effect::Text& text, const Effect::Text::Hook& hook) {
@@ -22,7 +17,7 @@ void declare(Part& part, const Effect::Text& text, const Effect::Text::Hook& hoo
     int value = 0;
     for (const Effect::Text::Declaration& declaration : text.declarations) {
         const int ownValue = declaration.varying ? 0 : value++;
-        if (!mentions(syntax, declaration.name))
+        if (!syntax.mentions(declaration.name))
             continue;
         const Group group = declaration.varying ? Group::Varyings : Group::UserUniforms;
         Part::Section& section = part.declarations[static_cast<std::size_t>(group)];

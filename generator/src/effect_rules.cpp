@@ -124,9 +124,15 @@ Result<void> readHead(Effect::Text& effect, Effect::Text::Hook& section, const S
 std::span<const EffectHook> effectHooks() { return kHooks; }
 
 bool isEffect(const EffectChoice& choice) {
-    const bool none = choice.slot == 0;
+    if (choice.slot == 0)
+        return choice.traits == 0;
     return choice.slot <= EffectChoice::kMaxSlot && choice.traits < 2 * kSurfaceChangesRoughness &&
-           none == ((choice.traits & kAnyHook) == 0) && !(none && choice.traits != 0);
+           (choice.traits & kAnyHook) != 0;
+}
+
+Error noEffect(std::string where) {
+    return {"permutation.range", std::move(where), "this is no effect",
+            "choose one with SnippetSet::chooseEffect()"};
 }
 
 Error missingEffect(const std::string& which) {

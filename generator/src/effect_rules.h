@@ -9,18 +9,23 @@ namespace franken {
 /// Whether a choice can be one of an effect, or of none.
 bool isEffect(const EffectChoice& choice);
 
+/// "permutation.range", for a choice that isEffect() is not true of.
+Error noEffect(std::string where);
+
 /// "effect.missing"; `which` is "'fog'" or "in slot 3".
 Error missingEffect(const std::string& which);
 
+/// An error of a text; `line` is 0 where it is of no line.
 Error badEffect(const char* code, std::string_view file, int line, std::string what, std::string remedy);
 
-/// The word of an effect is told from those of choices, and from files' names.
+/// Fails with "effect.name" for what does not have the form of a name, or is a word of a choice.
 Result<void> checkEffectName(std::string_view name);
 
 /// "fog@5d0b1a3c", whether there is such an effect or not.
 bool isEffectWord(std::string_view word);
 
-/// No name of FrankenShader's, of GLSL or of an earlier declaration. `line` is that in the file.
+/// Fails with "effect.clash" for a name that FrankenShader's snippets or GLSL have. `line` is that in the
+/// file.
 Result<void> checkFree(const Effect::Text& effect, std::string_view declared, int line);
 
 /// Finds the function of a section, checks its head, and fills in the call and the traits.

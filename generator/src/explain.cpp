@@ -5,6 +5,7 @@
 #include "franken/generator/choices.h"
 #include "library.h"
 #include "recipe.h"
+#include "without.h"
 
 #include <algorithm>
 
@@ -13,17 +14,6 @@ namespace {
 
 bool contains(const std::vector<Step>& steps, const Step& wanted) {
     return std::find(steps.begin(), steps.end(), wanted) != steps.end();
-}
-
-Permutation without(const Permutation& permutation, const Choice& choice) {
-    Permutation result = permutation;
-    choice.set(result, 0);
-    return result;
-}
-
-Permutation withoutEffect(Permutation permutation) {
-    permutation.effect = {};
-    return permutation;
 }
 
 std::vector<std::string> wordsOf(const Permutation& permutation) {

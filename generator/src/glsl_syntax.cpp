@@ -212,6 +212,10 @@ private:
 
 } // namespace
 
+bool Syntax::mentions(std::string_view word) const {
+    return std::any_of(tokens.begin(), tokens.end(), [word](const Token& token) { return token.is(word); });
+}
+
 bool Syntax::isType(std::string_view word) const {
     return std::find(kTypes.begin(), kTypes.end(), word) != kTypes.end() ||
            std::any_of(structs.begin(), structs.end(), [&](const Struct& s) { return s.name == word; });

@@ -52,6 +52,8 @@ struct Syntax {
     std::vector<Function> functions;
 
     bool isType(std::string_view word) const;
+    /// Whether any token is that word.
+    bool mentions(std::string_view word) const;
     /// The token that closes the bracket at `open`; the last token where none does.
     std::size_t closing(std::size_t open) const;
     /// The token's line; past the end, the last token's.

@@ -27,12 +27,15 @@ bool readWord(std::string_view digits, std::uint64_t& word) {
 /// Packs, and returns the first choice that has no such value, if there is one.
 const Choice* pack(const Permutation& permutation, Key& key) {
     key = keyBits(kSchemaVersion, kSchemaBits.shift);
-    key.words[kEffectBits.shift / 64] |= std::uint64_t{permutation.effect.slot} << kEffectBits.shift % 64;
+    const auto add = [&key](std::uint64_t value, unsigned shift) {
+        key.words[shift / 64] |= value << shift % 64;
+    };
+    add(permutation.effect.slot, kEffectBits.shift);
     for (const Choice& choice : choices()) {
         const unsigned value = choice.get(permutation);
         if (value >= choice.options.size())
             return &choice;
-        key.words[choice.shift / 64] |= std::uint64_t{value} << choice.shift % 64;
+        add(value, choice.shift);
     }
     return nullptr;
 }
@@ -49,8 +52,7 @@ Key toKey(const Permutation& permutation) {
 Result<Key> checkedKey(const Permutation& permutation) {
     Key key;
     if (!isEffect(permutation.effect))
-        return Error{"permutation.range", toName(permutation), "this is no effect",
-                     "choose one with SnippetSet::chooseEffect()"};
+        return noEffect(toName(permutation));
     if (const Choice* const wrong = pack(permutation, key); wrong != nullptr)
         return Error{"permutation.range", toName(permutation),
                      std::string(wrong->name) + " has no value " + std::to_string(wrong->get(permutation)),

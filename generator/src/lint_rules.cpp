@@ -112,8 +112,7 @@ std::vector<Broken> precision(const ShaderText& shader) {
 
 std::vector<Broken> output(const ShaderText& shader) {
     const std::string_view name = shader.stage == Stage::Vertex ? "gl_Position" : "gl_FragColor";
-    const auto& tokens = shader.syntax.tokens;
-    if (std::any_of(tokens.begin(), tokens.end(), [&](const Token& token) { return token.is(name); }))
+    if (shader.syntax.mentions(name))
         return {};
     return {{1, quoted(name) + " is never written"}};
 }

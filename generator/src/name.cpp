@@ -104,23 +104,21 @@ Result<Permutation> parseName(std::string_view name, const SnippetSet& snippets)
     for (std::size_t begin = 0; begin <= name.size();) {
         const std::size_t end = std::min(name.find_first_of(".+", begin), name.size());
         const std::string_view text = name.substr(begin, end - begin);
-        const std::optional<Word> word = findWord(text);
-        if (!word && namesEffect(text, snippets)) {
+        if (const std::optional<Word> word = findWord(text)) {
+            if (std::find(answered.begin(), answered.end(), word->choice) != answered.end())
+                return answeredTwice(name, text, begin, word->choice->name);
+            answered.push_back(word->choice);
+            word->choice->set(permutation, word->value);
+        } else if (namesEffect(text, snippets)) {
             if (permutation.effect.slot != 0)
                 return answeredTwice(name, text, begin, "the effect");
             const Result<EffectChoice> effect = parseEffect(text, snippets);
             if (!effect)
                 return effect.error();
             permutation.effect = *effect;
-            begin = end + 1;
-            continue;
-        }
-        if (!word)
+        } else {
             return unknownWord(name, text, begin);
-        if (std::find(answered.begin(), answered.end(), word->choice) != answered.end())
-            return answeredTwice(name, text, begin, word->choice->name);
-        answered.push_back(word->choice);
-        word->choice->set(permutation, word->value);
+        }
         begin = end + 1;
     }
     return permutation;

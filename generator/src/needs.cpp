@@ -17,8 +17,10 @@ bool reads(const Permutation& p, const Needs& n, UvStream stream) {
            (n.emissive && p.emissive == Emissive::Texture && p.emissiveUv == stream);
 }
 
+bool asks(const Permutation& p, unsigned traits) { return (p.effect.traits & traits) != 0; }
+
 bool readsNormal(const Permutation& p, const Needs& n) {
-    return n.surfaceHook || (n.lightHook && (p.effect.traits & kLightReadsNormal) != 0);
+    return n.surfaceHook || (n.lightHook && asks(p, kLightReadsNormal));
 }
 
 // Others than a first or second sun, which take a normal of any length.
@@ -39,16 +41,15 @@ LightForm lightFormOf(const Permutation& p, const Needs& n) {
 }
 
 bool changes(const Permutation& p, const Needs& n, unsigned traits) {
-    return n.surfaceHook && (p.effect.traits & traits) != 0;
+    return n.surfaceHook && asks(p, traits);
 }
 
-// An effect is seen where it can be: a look into the material shows what it did to that alone.
+// Views of the material show no light: of an effect, they have the hooks of vertices and base colour alone.
 void findHooks(const Permutation& p, Needs& n) {
-    const auto has = [&p](unsigned trait) { return (p.effect.traits & trait) != 0; };
-    n.vertexHook = n.material && has(kVertexHook);
-    n.surfaceHook = (n.direct || n.skyLit) && has(kSurfaceHook);
-    n.lightHook = n.material && n.shaded && has(kLightHook);
-    n.toEye = (n.surfaceHook && has(kSurfaceReadsToEye)) || (n.lightHook && has(kLightReadsToEye));
+    n.vertexHook = n.material && asks(p, kVertexHook);
+    n.surfaceHook = (n.direct || n.skyLit) && asks(p, kSurfaceHook);
+    n.lightHook = n.material && n.shaded && asks(p, kLightHook);
+    n.toEye = (n.surfaceHook && asks(p, kSurfaceReadsToEye)) || (n.lightHook && asks(p, kLightReadsToEye));
 }
 
 void findLight(const Permutation& p, Needs& n) {
@@ -73,7 +74,7 @@ void findMaterial(const Permutation& p, Needs& n) {
     const bool looked = n.material && p.view == View::BaseColor;
     n.color = unlit || overlay || looked || n.direct || n.ambient;
     n.base = n.color || (n.material && p.alpha != Alpha::Opaque);
-    n.baseColorHook = n.material && n.base && (p.effect.traits & kBaseColorHook) != 0;
+    n.baseColorHook = n.material && n.base && asks(p, kBaseColorHook);
     n.metallic = n.direct || n.skyLit || (n.material && p.view == View::RoughnessMetallic);
     n.roughness = n.direct || n.reflection || changes(p, n, kSurfaceChangesRoughness) ||
                   (n.material && p.view == View::RoughnessMetallic);
