@@ -134,6 +134,9 @@ private:
                           "write 'uniform vec4 " + std::string(variable.name) + "; // user: its meaning'");
         if (auto free = checkFree(m_effect, variable.name, number); !free)
             return free;
+        if (isDeclared(variable.name))
+            return refuse("effect.uniform", number, "'" + std::string(variable.name) + "' is there already",
+                          "leave one of the two out");
         m_effect.declarations.push_back(
             {std::string(line) + "\n", number, std::string(variable.name), *type, varying});
         if (value)
@@ -143,6 +146,11 @@ private:
                           "'" + std::string(variable.name) + "' is one uniform too many",
                           "an effect has at most " + std::to_string(kEffectValues) + " vec4");
         return {};
+    }
+
+    bool isDeclared(std::string_view name) const {
+        return std::any_of(m_effect.declarations.begin(), m_effect.declarations.end(),
+                           [name](const Effect::Text::Declaration& each) { return each.name == name; });
     }
 
     Result<void> finish() {

@@ -258,13 +258,28 @@ std::vector<Broken> reservedName(const ShaderText& shader) {
     return broken;
 }
 
+template<typename Named, typename Same>
+void findRepeated(const Syntax& syntax, const std::vector<Named>& all, Same same,
+                  std::vector<Broken>& broken) {
+    for (auto one = all.begin(); one != all.end(); ++one)
+        if (std::any_of(all.begin(), one, [&](const Named& earlier) { return same(earlier, *one); }))
+            broken.push_back({syntax.lineOf(one->token), quoted(one->name) + " is declared twice"});
+}
+
+// Functions of one name may differ in the types of their parameters.
+bool sameHead(const Function& a, const Function& b) {
+    return a.name == b.name &&
+           std::equal(a.parameters.begin(), a.parameters.end(), b.parameters.begin(), b.parameters.end(),
+                      [](const Variable& x, const Variable& y) { return x.type == y.type; });
+}
+
 std::vector<Broken> declaredTwice(const ShaderText& shader) {
-    const auto& globals = shader.syntax.globals;
+    const Syntax& syntax = shader.syntax;
+    const auto sameName = [](const auto& a, const auto& b) { return a.name == b.name; };
     std::vector<Broken> broken;
-    for (auto global = globals.begin(); global != globals.end(); ++global)
-        if (std::any_of(globals.begin(), global, [&](const Variable& v) { return v.name == global->name; }))
-            broken.push_back(
-                {shader.syntax.lineOf(global->token), quoted(global->name) + " is declared twice"});
+    findRepeated(syntax, syntax.globals, sameName, broken);
+    findRepeated(syntax, syntax.structs, sameName, broken);
+    findRepeated(syntax, syntax.functions, sameHead, broken);
     return broken;
 }
 
@@ -283,7 +298,7 @@ constexpr StageRuleCheck kStageRules[] = {
     {{"extension-function", "No derivatives and no explicit level of detail."}, extensionFunction},
     {{"normalized-swizzle", "Nothing is swizzled after normalize()."}, normalizedSwizzle},
     {{"reserved-name", "No '__', no gl_ of one's own, no word reserved for later."}, reservedName},
-    {{"declared-twice", "A global name is declared once."}, declaredTwice},
+    {{"declared-twice", "Global variables, structs and functions are declared once."}, declaredTwice},
     {{"unused", "Whatever is declared is used."}, findUnused},
 };
 

@@ -227,6 +227,8 @@ TEST(Effect, FromOutsideIsCheckedBeforeAnyCompiler) {
          "uniform vec4 uD; // user: x\nuniform vec4 uE; // user: x\n" +
              light,
          "effect.uniform", "x.glsl:6", "too many"},
+        {"fog", "//! declarations\nuniform vec4 uA; // user: x\nuniform vec4 uA; // user: x\n" + light,
+         "effect.uniform", "x.glsl:3", "there already"},
         {"fog", "//! declarations\nuniform vec4 uBaseColor; // user: x\n" + light, "effect.clash", "x.glsl:2",
          "uBaseColor"},
         {"fog", "//! light\nfloat reciprocal(float x) {\n  return x;\n}\n", "effect.clash", "x.glsl:2",
@@ -268,6 +270,22 @@ TEST(Effect, ThatIsNoStrictGlslIsRefusedWithItsLine) {
     EXPECT_EQ(set.error().code, "effect.glsl");
     EXPECT_EQ(set.error().where, "effects/bright.glsl:3");
     EXPECT_TRUE(contains(set.error().what, "[integer-literal]"));
+}
+
+// Functions of one name with other parameters are GLSL.
+TEST(Effect, ThatHasAFunctionTwiceIsRefusedWithItsLine) {
+    const std::string surface = "//! surface\nfloat wet(float x) {\n  return x;\n}\n"
+                                "void onSurface(inout float roughness) {\n  roughness = wet(roughness);\n}\n";
+    const std::string light = "vec3 onLight(vec3 color) {\n  return wet(0.5) * color;\n}\n";
+    const auto add = [&](const std::string& helper) {
+        return SnippetSet::builtIn().with(
+            *Effect::parse("wet", surface + "//! light\n" + helper + light, "wet.glsl"));
+    };
+    const Result<SnippetSet> twice = add("float wet(float y) {\n  return 0.5 * y;\n}\n");
+    ASSERT_FALSE(twice);
+    EXPECT_EQ(twice.error().where, "wet.glsl:9");
+    EXPECT_TRUE(contains(twice.error().what, "'wet' is declared twice"));
+    EXPECT_TRUE(add("vec3 wet(vec3 y) {\n  return wet(y.x) * y;\n}\n"));
 }
 
 TEST(Effect, HasRoomForSixtyThree) {
