@@ -37,34 +37,45 @@ protected:
     }
 
     // Exit code, or 128 + 9 where it was killed.
-    Outcome act(const std::string& what, int call, int error) const {
-        return runIn(m_folder, "FRANKEN_FAULT='" + std::to_string(call) + " " + std::to_string(error) + "' " +
-                                   FAULTY_CALLS + " " + what);
+    Outcome act(const std::string& what, int call, int error, const char* others = "") const {
+        return runIn(m_folder, "FRANKEN_FAULT='" + std::to_string(call) + " " + std::to_string(error) +
+                                   others + "' " + FAULTY_CALLS + " " + what);
     }
 
-    // Does `what` with each fault at each call, until there is no such call; `check` hears whether it
-    // succeeded.
+    // Does `what` with each fault at each call, until there is no such call, each time after `prepare`;
+    // `check` hears whether it succeeded. The calls after that one fail as well, or it alone does.
+    template<typename Prepare, typename Check>
+    void atEachCallAfter(Prepare prepare, const std::string& what, Check check) const {
+        int faults = 0;
+        for (const char* others : {"", " alone"})
+            for (const int error : kFaults)
+                for (int call = 1;; ++call, ++faults) {
+                    SCOPED_TRACE("call " + std::to_string(call) + ", errno " + std::to_string(error) +
+                                 others);
+                    ASSERT_LT(call, kMostCalls);
+                    prepare();
+                    if (callsOf(what, call, error, others, check) < call)
+                        break;
+                }
+        EXPECT_GE(faults, 24) << "the calls are not those of the program";
+    }
+
+    // Does `what` once. Returns how many calls it took.
+    template<typename Check>
+    int callsOf(const std::string& what, int call, int error, const char* others, Check check) const {
+        const Outcome outcome = act(what, call, error, others);
+        const bool killed = outcome.code == 128 + SIGKILL;
+        EXPECT_TRUE(outcome.code == 0 || outcome.code == 1 || killed) << outcome.out << outcome.err;
+        check(outcome.code == 0);
+        if (!killed && error != EIO) { // Where nothing can be removed, nothing is.
+            EXPECT_LE(filesThere(), 1u) << "a temporary file is left";
+        }
+        return killed ? call : std::atoi(outcome.out.c_str());
+    }
+
     template<typename Check>
     void atEachCall(const std::string& before, const std::string& what, Check check) const {
-        int faults = 0;
-        for (const int error : kFaults)
-            for (int call = 1;; ++call) {
-                SCOPED_TRACE("call " + std::to_string(call) + ", errno " + std::to_string(error));
-                ASSERT_LT(call, kMostCalls);
-                put(before);
-                const Outcome outcome = act(what, call, error);
-                const bool killed = outcome.code == 128 + SIGKILL;
-                ASSERT_TRUE(outcome.code == 0 || outcome.code == 1 || killed) << outcome.out << outcome.err;
-                const bool reached = killed || std::stoi(outcome.out) >= call;
-                check(outcome.code == 0);
-                if (!killed && error != EIO) { // Where nothing can be removed, nothing is.
-                    EXPECT_LE(filesThere(), 1u) << "a temporary file is left";
-                }
-                if (!reached)
-                    break;
-                ++faults;
-            }
-        EXPECT_GE(faults, 12) << "the calls are not those of the program";
+        atEachCallAfter([&] { put(before); }, what, check);
     }
 
     const fs::path m_folder = emptyTestFolder();
@@ -158,24 +169,17 @@ TEST_F(FaultTest, AFileIsTheOldOneOrTheNewOne) {
 
 // What is there may be a link: where that cannot be told, it is not replaced.
 TEST_F(FaultTest, ALinkStaysALink) {
-    const fs::path target = file().parent_path() / "target";
-    const auto reset = [&] {
+    const fs::path target = m_folder / "target";
+    const auto prepare = [&] {
+        put("");
         std::ofstream(target) << "old";
-        fs::remove(file());
-        fs::create_symlink("target", file());
+        fs::create_symlink("../target", file());
     };
-    for (const int error : kFaults)
-        for (int call = 1; call < kMostCalls; ++call) {
-            SCOPED_TRACE("call " + std::to_string(call) + ", errno " + std::to_string(error));
-            put("old");
-            reset();
-            const Outcome outcome = act("write disk/kiosk.txt 'the new text'", call, error);
-            ASSERT_TRUE(fs::is_symlink(file()));
-            const std::string now = readText(target);
-            EXPECT_TRUE(now == "the new text" || (outcome.code != 0 && now == "old")) << now;
-            if (outcome.code == 0)
-                break;
-        }
+    atEachCallAfter(prepare, "write disk/kiosk.txt 'the new text'", [&](bool succeeded) {
+        ASSERT_TRUE(fs::is_symlink(file()));
+        const std::string now = readText(target);
+        EXPECT_TRUE(now == "the new text" || (!succeeded && now == "old")) << now;
+    });
 }
 
 // Somebody else's file keeps its owner, or is not written at all.
@@ -183,17 +187,15 @@ TEST_F(FaultTest, AnOwnerIsKept) {
     if (geteuid() != 0)
         GTEST_SKIP() << "only root may give files away: run as root";
     constexpr uid_t kNobody = 65534;
-    for (const int error : kFaults)
-        for (int call = 1; call < kMostCalls; ++call) {
-            put("old");
-            ASSERT_EQ(chown(file().c_str(), kNobody, kNobody), 0);
-            const Outcome outcome = act("write disk/kiosk.txt 'the new text'", call, error);
-            struct stat status {};
-            ASSERT_EQ(stat(file().c_str(), &status), 0);
-            EXPECT_EQ(status.st_uid, kNobody) << "call " << call << ", errno " << error;
-            if (outcome.code == 0)
-                break;
-        }
+    const auto prepare = [&] {
+        put("old");
+        ASSERT_EQ(chown(file().c_str(), kNobody, kNobody), 0);
+    };
+    atEachCallAfter(prepare, "write disk/kiosk.txt 'the new text'", [&](bool) {
+        struct stat status {};
+        ASSERT_EQ(stat(file().c_str(), &status), 0);
+        EXPECT_EQ(status.st_uid, kNobody);
+    });
 }
 
 TEST_F(FaultTest, AFolderThatDoesNotReachTheDiskIsAnError) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The system calls of lib/base, one of which fails. They are defined in this program, so that the linker
 // takes them instead of the C library's. FRANKEN_FAULT is "N ERRNO": call N and all after it fail with that
-// number, or with ERRNO 0 the process ends there as by a power cut. A file is closed and removed all the same
-// (only a broken disk, EIO, removes nothing), as the kernel does it. The calls are counted from countCalls()
-// on.
+// number, or with ERRNO 0 the process ends there as by a power cut. With "N ERRNO alone", those after it
+// succeed. A file is closed and removed all the same (only a broken disk, EIO, removes nothing), as the
+// kernel does it. The calls are counted from countCalls() on.
 #include "faulty_calls.h"
 
 #include <cerrno>
@@ -23,6 +23,7 @@ namespace {
 
 int g_calls = -1; // Not counted yet.
 int g_at = 0, g_error = 0;
+bool g_alone = false;
 char g_names[4096]; // No string, because its memory is another library's.
 
 void note(const char* name) {
@@ -33,7 +34,7 @@ void note(const char* name) {
 // Whether this call is to fail.
 bool fails(const char* name) {
     note(name);
-    if (g_calls < 0 || ++g_calls < g_at || g_at == 0)
+    if (g_calls < 0 || ++g_calls < g_at || g_at == 0 || (g_alone && g_calls > g_at))
         return false;
     if (g_error == 0)
         raise(SIGKILL);
@@ -47,8 +48,10 @@ int modeOf(int flags, va_list arguments) { return (flags & O_CREAT) != 0 ? va_ar
 
 int countCalls() {
     if (g_calls < 0) {
-        if (const char* fault = std::getenv("FRANKEN_FAULT"))
+        if (const char* fault = std::getenv("FRANKEN_FAULT")) {
             std::sscanf(fault, "%d %d", &g_at, &g_error);
+            g_alone = std::strstr(fault, "alone") != nullptr;
+        }
         g_calls = 0;
     }
     return g_calls;
