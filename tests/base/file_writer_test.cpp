@@ -123,8 +123,8 @@ TEST_F(FileWriterTest, StandardOutputIsWrittenToAsItIs) {
     const Result<void> written = writeFile("/proc/self/fd/1", "text");
     dup2(saved, STDOUT_FILENO);
     close(saved);
-    struct stat before {
-    }, after{};
+    struct stat before {};
+    struct stat after {};
     fstat(file, &before);
     stat(path("captured").c_str(), &after);
     close(file);
