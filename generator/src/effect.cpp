@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/effect.h"
 
-#include "crc32.h"
 #include "effect_rules.h"
+#include "franken/crc32.h"
 #include "franken/nearest.h"
 #include "franken/printable.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/generator/manifest.h"
 
-#include "crc32.h"
+#include "franken/crc32.h"
 #include "franken/generator/permutation.h"
 #include "franken/printable.h"
 

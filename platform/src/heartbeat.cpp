@@ -2,6 +2,7 @@
 #include "franken/platform/heartbeat.h"
 
 #include "descriptor.h"
+#include "franken/crc32.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,13 +14,7 @@
 namespace franken::platform {
 
 std::uint32_t crc32(const void* data, std::size_t bytes) {
-    std::uint32_t crc = ~0u;
-    for (const auto* at = static_cast<const unsigned char*>(data); bytes-- > 0; ++at) {
-        crc ^= *at;
-        for (int bit = 0; bit < 8; ++bit)
-            crc = crc >> 1 ^ ((crc & 1u) != 0 ? 0xEDB88320u : 0u);
-    }
-    return ~crc;
+    return franken::crc32({static_cast<const char*>(data), bytes});
 }
 
 Result<void> writeHeartbeat(const std::string& file, std::uint64_t frames, std::uint32_t checksum) {

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/api.h"
+
 #include <cstdint>
 #include <string_view>
 
-namespace franken {
+namespace FRANKEN_API franken {
 
-/// CRC-32 as in ISO 3309 (zlib's, PNG's): reflected, polynomial 0x04C11DB7.
+/// CRC-32 as in ISO 3309 (zlib's, PNG's): reflected, polynomial 0x04C11DB7. Any thread.
 constexpr std::uint32_t crc32(std::string_view text) {
     std::uint32_t crc = ~0u;
     for (const char c : text) {
