@@ -31,7 +31,7 @@ void declare(Part& part, const Effect::Text& text, const Effect::Text::Hook& hoo
     }
 }
 
-// In all lit and unlit programs an effect's text is one of these.
+// Lit by a sun, unlit, and lit by the sky alone: all hooks, and all that they read.
 std::vector<Permutation> samples(const EffectChoice& effect) {
     std::vector<Permutation> all(3);
     all[0].suns = 1;

@@ -35,14 +35,10 @@ constexpr std::array<Input, 9> kInputs = {{
 }};
 
 constexpr EffectHook kHooks[] = {
-    {"vertex", kVertexHook, "vertex/transform/position.effect", "vec3", "onVertex", "vec3 position",
-     "moves the vertex before all matrices, in model space"},
-    {"base-color", kBaseColorHook, "fragment/effect/base_color", "vec4", "onBaseColor", "vec4 base",
-     "changes the base colour and alpha"},
-    {"surface", kSurfaceHook, "fragment/effect/surface", "void", "onSurface", "",
-     "changes normal, metalness and roughness of a lit surface"},
-    {"light", kLightHook, "fragment/effect/light", "vec3", "onLight", "vec3 color",
-     "changes the sum of all light, before the tone map"},
+    {"vertex", kVertexHook, "vertex/transform/position.effect", "vec3", "onVertex", "vec3 position"},
+    {"base-color", kBaseColorHook, "fragment/effect/base_color", "vec4", "onBaseColor", "vec4 base"},
+    {"surface", kSurfaceHook, "fragment/effect/surface", "void", "onSurface", ""},
+    {"light", kLightHook, "fragment/effect/light", "vec3", "onLight", "vec3 color"},
 };
 
 // All words of the snippets: names of functions, uniforms and locals, and whatever of GLSL they use.

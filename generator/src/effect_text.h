@@ -4,10 +4,23 @@
 #include "franken/generator/effect.h"
 #include "franken/generator/interface.h"
 
+#include <span>
 #include <string>
 #include <vector>
 
 namespace franken {
+
+/// A named place in the recipe, and the function that an effect puts there.
+struct EffectHook {
+    std::string_view name;     ///< Of the section in the effect's text: "light".
+    EffectTrait trait;         ///< Its bit.
+    std::string_view snippet;  ///< Where it is called: "fragment/effect/light".
+    std::string_view type;     ///< What the function returns: "vec3".
+    std::string_view function; ///< "onLight"
+    std::string_view first;    ///< The parameter that must come first; empty where any may.
+};
+
+std::span<const EffectHook> effectHooks();
 
 /// An effect's text, taken apart.
 struct Effect::Text {

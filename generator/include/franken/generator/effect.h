@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,20 +29,6 @@ enum EffectTrait : std::uint16_t {
     kSurfaceChangesMetallic = 1 << 7,
     kSurfaceChangesRoughness = 1 << 8,
 };
-
-/// A named place in the recipe, and the function that an effect puts there.
-struct EffectHook {
-    std::string_view name;     ///< Of the section in the effect's text: "light".
-    EffectTrait trait;         ///< Its bit.
-    std::string_view snippet;  ///< Where it is called: "fragment/effect/light".
-    std::string_view type;     ///< What the function returns: "vec3".
-    std::string_view function; ///< "onLight"
-    std::string_view first;    ///< The parameter that must come first; empty where any may.
-    std::string_view meaning;  ///< One sentence.
-};
-
-/// base-color, surface, light and vertex.
-std::span<const EffectHook> effectHooks();
 
 /// GLSL of an application's own, in every surface's program that asks for it: fog, a rim light, a dissolve, a
 /// wave. A text for one or several hooks, in sections as a snippet has them (generator/README.md):
