@@ -24,9 +24,9 @@ struct Place {
     Model* model;
     glm::dmat4 world{1.0};
     bool visible = true;
-    int variant = kNone;               ///< Of the scene.
-    std::vector<NodeWorld> nodes = {}; ///< In the model, by Scene::nodes; empty: at rest.
-    unsigned movements = 0;            ///< How often `world` and `nodes` have changed.
+    int variant = kNone;                                  ///< Of the scene.
+    std::vector<NodeWorld> nodes = {};                    ///< In the model, by Scene::nodes; empty: at rest.
+    unsigned movements = 0;                               ///< How often `world` and `nodes` have changed.
     std::optional<UniformBlock<EffectBlock>> effect = {}; ///< Instead of the frame's.
 };
 
@@ -95,6 +95,8 @@ private:
     const Place* find(PlaceId id) const;
     Place* find(PlaceId id) { return const_cast<Place*>(std::as_const(*this).find(id)); }
     Place& makePlace(Model& model, const glm::dmat4& world);
+    /// What stands there is placed anew by the next frame.
+    void noteMovement(Place& place);
     void erase(Model& model);
     void eraseAllBut(const Model* kept);
     Result<void> applyChanges(Model& model);
@@ -112,7 +114,7 @@ private:
     std::vector<std::unique_ptr<Model>> m_models;
     std::unordered_map<PlaceId, Place> m_places; ///< Whose addresses stay.
     std::vector<Model*> m_shown, m_wanted;       ///< Neither is evicted; `m_wanted` is about to be shown.
-    std::vector<NodeWorld> m_nextNodes; ///< Of setPose().
+    std::vector<NodeWorld> m_nextNodes;          ///< Of setPose().
     unsigned m_revision = 0, m_movements = 0;
 };
 

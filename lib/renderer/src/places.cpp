@@ -46,6 +46,11 @@ void Models::removePlace(PlaceId id) {
     ++m_revision;
 }
 
+void Models::noteMovement(Place& place) {
+    ++place.movements;
+    ++m_movements;
+}
+
 Result<void> Models::setWorld(PlaceId id, const glm::dmat4& world) {
     Place* const place = find(id);
     if (place == nullptr)
@@ -55,8 +60,7 @@ Result<void> Models::setWorld(PlaceId id, const glm::dmat4& world) {
     if (place->world == world)
         return {};
     place->world = world;
-    ++place->movements;
-    ++m_movements;
+    noteMovement(*place);
     return {};
 }
 
@@ -71,8 +75,7 @@ Result<void> Models::setPose(PlaceId id, const Pose& pose) {
     if (place->nodes == m_nextNodes)
         return {};
     place->nodes = m_nextNodes;
-    ++place->movements;
-    ++m_movements;
+    noteMovement(*place);
     return {};
 }
 
