@@ -2,54 +2,13 @@
 #include "picture_scenes.h"
 
 #include "franken/displacement.h"
-#include "support/shapes.h"
+#include "picture_shots.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 namespace franken::test {
 namespace {
-
-constexpr glm::vec4 kOrange(0.9f, 0.5f, 0.2f, 1), kBlue(0.2f, 0.4f, 0.9f, 1), kWhite(1);
-constexpr int kRings = 24;
-
-Camera cameraAt(float distance) {
-    Camera camera;
-    camera.yfov = 0.6f;
-    camera.world[3] = {0, 0, distance, 1};
-    return camera;
-}
-
-Shot shotOfScene(SceneBuilder builder) {
-    if (builder.scene.lights.empty())
-        builder.addSun({-0.6f, -0.5f, -0.7f}, {1, 0.95f, 0.9f}, 3);
-    return {.scene = builder.scene, .camera = cameraAt(4), .lighting = lightingOf(builder.scene)};
-}
-
-Material plain(float metallic, float roughness) {
-    Material material;
-    material.factors.baseColor = toFloat4(kOrange);
-    material.factors.metallic = metallic;
-    material.factors.roughness = roughness;
-    return material;
-}
-
-Shot ball(const Material& material) {
-    SceneBuilder builder;
-    builder.add(sphere(kRings), builder.addMaterial(material));
-    return shotOfScene(std::move(builder));
-}
-
-/// A ball whose material gets its textures from `dress`.
-template<typename Dress>
-Shot dressedBall(Dress dress) {
-    SceneBuilder builder;
-    Material material = plain(0, 0.5f);
-    material.factors.baseColor = toFloat4(kWhite);
-    dress(builder, material);
-    builder.add(sphere(kRings), builder.addMaterial(material));
-    return shotOfScene(std::move(builder));
-}
 
 int addChecks(SceneBuilder& builder) { return builder.addTexture(checkers(64, 8, kOrange, kBlue)); }
 
@@ -188,77 +147,6 @@ Shot withBrdf(Brdf brdf) {
     return shot;
 }
 
-Shot fourSuns() {
-    SceneBuilder builder;
-    builder.addSun({-1, -1, -1}, {1, 0.2f, 0.2f}, 2);
-    builder.addSun({1, -1, -1}, {0.2f, 1, 0.2f}, 2);
-    builder.addSun({0, 1, -1}, {0.2f, 0.2f, 1}, 2);
-    builder.addSun({0, -0.2f, 1}, {1, 1, 1}, 4);
-    builder.add(sphere(kRings), builder.addMaterial(plain(0.3f, 0.4f)));
-    return shotOfScene(std::move(builder));
-}
-
-Light punctualAt(const glm::vec3& position, const glm::vec3& color, Light::Kind kind = Light::Kind::Point) {
-    Light light;
-    light.kind = kind;
-    light.position = position;
-    light.direction = glm::normalize(-position);
-    light.color = color;
-    light.intensity = 4;
-    light.innerConeAngle = 0.1f;
-    light.outerConeAngle = 0.35f;
-    return light;
-}
-
-Shot punctualLights(Light::Kind kind) {
-    SceneBuilder builder;
-    builder.scene.lights = {punctualAt({-1.2f, 0.5f, 1.5f}, {1, 0.5f, 0.3f}, kind),
-                            punctualAt({1.4f, 0.8f, 1.2f}, {0.3f, 0.5f, 1}, kind)};
-    builder.scene.lights[1].range = 2.5f;
-    builder.add(square(), builder.addMaterial(plain(0, 0.3f)));
-    return shotOfScene(std::move(builder));
-}
-
-Shot sunsAndPunctualLights() {
-    Shot shot = fourSuns();
-    shot.lighting.suns.resize(2);
-    shot.scene.lights = {punctualAt({1, 1, 1.5f}, {1, 1, 0.5f}, Light::Kind::Spot)};
-    shot.lighting.punctualLights = lightingOf(shot.scene).punctualLights;
-    return shot;
-}
-
-/// Blue above, brown below, a bright spot to the right.
-Environment makeSky() {
-    Environment sky{.width = 64, .height = 32, .texels = {}};
-    for (int y = 0; y < sky.height; ++y)
-        for (int x = 0; x < sky.width; ++x) {
-            const float up = 1 - (static_cast<float>(y) + 0.5f) / 16;
-            const bool spot = std::abs(x - 46) < 3 && std::abs(y - 10) < 3;
-            sky.texels.push_back(spot ? glm::vec3(20, 18, 14)
-                                      : glm::mix(glm::vec3(0.25f, 0.2f, 0.12f), glm::vec3(0.3f, 0.5f, 1),
-                                                 glm::smoothstep(-0.1f, 0.3f, up)));
-        }
-    return sky;
-}
-
-/// Lit by that sky alone, which is seen behind it.
-Shot underSky(Shot shot) {
-    const Environment sky = makeSky();
-    shot.lighting.suns.clear();
-    shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(sky)};
-    shot.skybox = encodeSkybox(sky, 64);
-    shot.look.toneMap = ToneMap::Neutral;
-    return shot;
-}
-
-/// A perfect mirror: it shows the sky, and its bright spot.
-Shot mirrored() {
-    Shot shot = underSky(ball(plain(1, 0)));
-    shot.lighting.reflection = Reflection::Lookup;
-    shot.reflection = {filterReflection(makeSky()), reflectionLookup()};
-    return shot;
-}
-
 /// A ball that is bright enough to show what a tone map does.
 Shot toneMapped(ToneMap toneMap) {
     Shot shot = ball(plain(0.5f, 0.4f));
@@ -353,10 +241,9 @@ Shot displaced() {
 } // namespace
 
 std::vector<PictureRow> pictureRows() {
-    return {
+    std::vector<PictureRow> rows = {
         {"dielectric", [] { return ball(plain(0, 0.3f)); }},
         {"metal", [] { return ball(plain(1, 0.3f)); }},
-        {"mirror", mirrored},
         {"base_color_texture", textured},
         {"normal_map", bumpy},
         {"packed_textures", packed},
@@ -372,11 +259,6 @@ std::vector<PictureRow> pictureRows() {
         {"brdf_seed", [] { return withBrdf(Brdf::Seed); }},
         {"brdf_fast", [] { return withBrdf(Brdf::Fast); }},
         {"brdf_schlick", [] { return withBrdf(Brdf::Schlick); }},
-        {"four_suns", fourSuns},
-        {"point_lights", [] { return punctualLights(Light::Kind::Point); }},
-        {"spots", [] { return punctualLights(Light::Kind::Spot); }},
-        {"suns_and_punctual_lights", sunsAndPunctualLights},
-        {"sky", [] { return underSky(dressedBall([](SceneBuilder&, Material&) {})); }},
         {"tone_none", [] { return toneMapped(ToneMap::None); }},
         {"tone_aces", [] { return toneMapped(ToneMap::Aces); }},
         {"tone_neutral", [] { return toneMapped(ToneMap::Neutral); }},
@@ -396,6 +278,9 @@ std::vector<PictureRow> pictureRows() {
         {"background", background},
         {"height_map", displaced},
     };
+    for (const PictureRow& row : lightRows())
+        rows.push_back(row);
+    return rows;
 }
 
 } // namespace franken::test
