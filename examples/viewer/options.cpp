@@ -188,8 +188,7 @@ void addLoading(CLI::App& app, Options& options) {
         ->check(CLI::Range(1u, kMaxMebibytes).description(""));
     app.add_flag("--watch", options.watch,
                  "Draws again whenever the model, the height map, the sky, a snippet or the effect changes, "
-                 "until it is "
-                 "interrupted; keeps the last good picture on an error")
+                 "until it is interrupted; keeps the last good picture on an error")
         ->excludes("--permutations")
         ->excludes("--turntable");
     app.add_flag(
@@ -210,8 +209,8 @@ void addLoading(CLI::App& app, Options& options) {
 }
 
 void checkTogether(const Options& options) {
-    const std::filesystem::path inputs[] = {options.model, options.skybox, options.heightMap,
-                                            options.manifest, options.snippets};
+    const std::filesystem::path inputs[] = {options.model,    options.skybox,   options.heightMap,
+                                            options.manifest, options.snippets, options.effect};
     for (int number = 0; number < std::max(options.turntable, 1); ++number)
         if (const Result<void> checked = checkNotInput(outputOf(options, number), inputs); !checked)
             throw CLI::ValidationError("--output-file", checked.error().what);

@@ -163,6 +163,9 @@ TEST_F(FileWriterTest, AnOutputIsNoInput) {
     put("sky.hdr", "");
     fs::create_directory(path("faces"));
     put("faces/px.hdr", "");
+    fs::create_directories(path("glsl/fragment/math"));
+    put("glsl/fragment/math/pi.glsl", "");
+    fs::create_directory_symlink("glsl", path("snippets"));
     fs::create_symlink("sky.hdr", path("link"));
     const auto refused = [&](const char* output, const char* input) {
         return !checkNotInput(path(output), {{path(input)}});
@@ -171,6 +174,10 @@ TEST_F(FileWriterTest, AnOutputIsNoInput) {
     EXPECT_TRUE(refused("link", "sky.hdr"));
     EXPECT_TRUE(refused("faces/../sky.hdr", "link"));
     EXPECT_TRUE(refused("faces/px.hdr", "faces"));
+    EXPECT_TRUE(refused("glsl/fragment/math/pi.glsl", "glsl"));
+    EXPECT_TRUE(refused("glsl/fragment/math/pi.glsl", "snippets"));
+    EXPECT_FALSE(refused("glsl/fragment/math/pi.glsl", "faces"));
+    EXPECT_FALSE(refused("glsl/fragment/math/new.glsl", "glsl"));
     EXPECT_FALSE(refused("faces/new.sky", "faces"));
     EXPECT_FALSE(refused("sky.sky", "sky.hdr"));
     EXPECT_FALSE(refused("sky.hdr", "nowhere"));

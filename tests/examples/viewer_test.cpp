@@ -312,5 +312,18 @@ TEST_F(Viewer, DrawsFromAllAround) {
     EXPECT_EQ(run("round-2.png --turntable 3 -o round.png").code, 2);
 }
 
+TEST_F(Viewer, ItsOwnFilesAreNotReplaced) {
+    copySnippets();
+    fs::copy_file(FRANKEN_SOURCE_DIR "/examples/effects/fog.glsl", m_folder / "fog.glsl");
+    fs::copy_file(kUrn, m_folder / "urn.glb");
+    for (const char* output : {"urn.glb", "glsl/fragment/ambient/none.glsl", "fog.glsl"}) {
+        const Outcome outcome =
+            run(std::string("urn.glb --snippets glsl --effect fog.glsl --size 8x8 -o ") + output);
+        EXPECT_EQ(outcome.code, 2) << output;
+        EXPECT_NE(outcome.err.find("would overwrite"), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(readText(m_folder / "fog.glsl"), readText(FRANKEN_SOURCE_DIR "/examples/effects/fog.glsl"));
+}
+
 } // namespace
 } // namespace franken::test

@@ -108,6 +108,17 @@ bool sync(int descriptor) {
     return retried([&] { return fsync(descriptor); }) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
+/// Whether the absolute path leads through the folder, by whatever name that goes.
+bool isBelow(fs::path path, const fs::path& folder) {
+    std::error_code ignored;
+    while (path.has_relative_path()) {
+        path = path.parent_path();
+        if (fs::equivalent(path, folder, ignored))
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 struct FileWriter::State {
@@ -237,11 +248,11 @@ Result<void> writeFile(const fs::path& path, std::span<const std::uint8_t> bytes
 
 Result<void> checkNotInput(const fs::path& output, std::span<const fs::path> inputs) {
     std::error_code ignored;
-    const fs::path folder = folderOf(placeOf(output, ignored).value_or(output));
+    const fs::path place = placeOf(output, ignored).value_or(output);
     for (const fs::path& input : inputs) {
         const bool same = fs::is_regular_file(input, ignored) && fs::equivalent(input, output, ignored);
-        const bool inside = fs::is_directory(input, ignored) && fs::exists(output, ignored) &&
-                            fs::equivalent(input, folder, ignored);
+        const bool inside =
+            fs::is_directory(input, ignored) && fs::exists(output, ignored) && isBelow(place, input);
         if (same || inside)
             return Error{"file.overwrite", output.string(),
                          "the output would overwrite " + std::string(inside ? "a file of " : "") +

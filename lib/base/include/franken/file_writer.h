@@ -51,7 +51,7 @@ Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 /// Keeps an output from overwriting its own inputs. Fails with "file.overwrite" where `output` is one of the
-/// inputs, by whatever name, or a file in an input that is a folder.
+/// inputs, by whatever name, or a file in an input that is a folder, at any depth.
 Result<void> checkNotInput(const std::filesystem::path& output,
                            std::span<const std::filesystem::path> inputs);
 
