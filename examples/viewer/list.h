@@ -6,7 +6,8 @@
 
 #include <string>
 
-/// What is in a scene, a line for each camera, light, variant, material and node: what the options name.
+/// What is in a scene, a line for each camera, light, variant, animation, material, image and node: what the
+/// options name, and what a file is full of.
 std::string listOf(const franken::Scene& scene);
 
 /// What a ray has met, in the same words and numbers.

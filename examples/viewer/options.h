@@ -36,13 +36,13 @@ struct Options {
     float heightScale = 0.1f;        ///< From black to white, in the model's unit.
 
     bool list = false; ///< Says what is in the file, and draws nothing.
-    std::optional<std::array<int, 2>>
-        pick;            ///< The pixel of which to say what it shows; x, y from the top left.
-    std::string variant; ///< Empty for none.
+    /// The pixel of which to say what it shows; x, y from the top left.
+    std::optional<std::array<int, 2>> pick;
+    std::string variant;   ///< Empty for none.
     std::string animation; ///< A name or an index; empty for none: the file at rest.
     double time = 0;       ///< Of the animation, seconds.
-    std::string camera;  ///< A name or an index; empty for the first.
-    bool frame = false;  ///< All of the model, instead of through one of the file's cameras.
+    std::string camera;    ///< A name or an index; empty for the first.
+    bool frame = false;    ///< All of the model, instead of through one of the file's cameras.
     std::vector<franken::Sun> suns;
     std::optional<franken::Float3> ambient;
     std::filesystem::path skybox; ///< Empty for none.

@@ -8,21 +8,6 @@
 
 using namespace franken;
 
-Image readTopDown(const Gl& gl, const platform::Surface& surface) {
-    const platform::Size size = surface.size();
-    const std::size_t row = 4 * static_cast<std::size_t>(size.width);
-    Image image;
-    image.width = size.width;
-    image.height = size.height;
-    image.rgba.resize(row * static_cast<std::size_t>(size.height));
-    gl.BindFramebuffer(GL_FRAMEBUFFER, surface.framebuffer());
-    gl.ReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
-    const auto rowAt = [&](int y) { return image.rgba.begin() + static_cast<std::ptrdiff_t>(row) * y; };
-    for (int low = 0, high = size.height - 1; low < high; ++low, --high)
-        std::swap_ranges(rowAt(low), rowAt(low + 1), rowAt(high));
-    return image;
-}
-
 Image halved(const Image& image) {
     Image half;
     half.width = image.width / 2;

@@ -67,8 +67,7 @@ std::optional<Failure> Session::readSnippets() {
 std::optional<Failure> Session::readManifest() {
     if (m_listed || m_options.manifest.empty())
         return {};
-    Result<std::vector<ProgramUse>> listed =
-        franken::readManifest(m_options.manifest, m_snippets.value_or(SnippetSet::builtIn()), m_log);
+    Result<std::vector<ProgramUse>> listed = franken::readManifest(m_options.manifest, snippets(), m_log);
     if (!listed && (listed.error().code == "manifest.line" || listed.error().code == "manifest.size"))
         return Failure{listed.error(), ExitCode::Refused};
     if (!listed)
@@ -169,7 +168,7 @@ std::optional<Failure> Session::printPermutations() {
     const Result<std::vector<ProgramUse>> needed = usesOf(subject, look, m_log);
     if (!needed)
         return Failure{needed.error(), ExitCode::Refused};
-    std::cout << toManifest(*needed, m_snippets.value_or(SnippetSet::builtIn()));
+    std::cout << toManifest(*needed, snippets());
     return {};
 }
 
@@ -260,9 +259,7 @@ std::optional<Failure> Session::drawTurned(Subject& subject, OrbitCamera& orbit)
 std::optional<Failure> Session::keepManifest() {
     if (m_options.manifest.empty())
         return {};
-    if (const Result<void> kept =
-            appendToManifest(m_options.manifest, m_needed, m_snippets.value_or(SnippetSet::builtIn()));
-        !kept)
+    if (const Result<void> kept = appendToManifest(m_options.manifest, m_needed, snippets()); !kept)
         return Failure{kept.error(), ExitCode::Device};
     return {};
 }

@@ -34,6 +34,11 @@ public:
     std::optional<Failure> keepManifest();
 
 private:
+    /// Those that pictures are drawn with.
+    const franken::SnippetSet& snippets() const {
+        return m_snippets ? *m_snippets : franken::SnippetSet::builtIn();
+    }
+
     std::optional<Failure> readSnippets();
     std::optional<Failure> readManifest();
     std::optional<Failure> readSky();

@@ -92,8 +92,8 @@ DrawTarget Studio::target() const {
 Result<Image> Studio::drawAgain(const Subject& subject) {
     if (Result<void> drawn = m_renderer.draw(viewpointOf(subject, aspectOf(target())), target()); !drawn)
         return drawn.error();
-    Image picture = readTopDown(m_gl, *m_surface);
-    return m_options.supersample ? halved(picture) : picture;
+    Result<Image> picture = m_renderer.readPixels(target());
+    return m_options.supersample ? std::move(picture).transform(halved) : picture;
 }
 
 Result<Drawn> Studio::draw(const Subject& subject, std::span<const ProgramUse> listed,
