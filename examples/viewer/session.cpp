@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <iostream>
 #include <numbers>
+#include <utility>
 
 using namespace franken;
 
@@ -197,10 +198,12 @@ Result<Drawn> Session::drawVisibly(Subject& subject) {
     const float exposure = autoExposure(subject.lighting, subject.scene.bounds());
     if (m_options.exposure || m_options.autoExposure || 2 * coverage.white <= coverage.shown || exposure >= 1)
         return drawn;
-    subject.lighting.exposure = exposure;
+    const float given = std::exchange(subject.lighting.exposure, exposure);
     Result<Drawn> exposed = drawSubject(subject);
-    if (!exposed || coverageOf(exposed->picture, m_options.background).white >= coverage.white)
-        return drawn;
+    if (!exposed || coverageOf(exposed->picture, m_options.background).white >= coverage.white) {
+        subject.lighting.exposure = given;
+        return drawSubject(subject); // So that further pictures are lit alike.
+    }
     m_log(LogLevel::Warning,
           "over half of what the picture shows would be white: it is drawn with --exposure auto, "
           "which is " +

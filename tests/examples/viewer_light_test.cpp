@@ -109,5 +109,19 @@ TEST_F(ViewerModels, SupersamplingAveragesFourPixels) {
                         0.5);
 }
 
+// A white that no exposure changes, and a dark stone that a lesser one would make darker.
+TEST_F(ViewerModels, AnExposureThatIsNotTakenLeavesNoPictureDarker) {
+    Model model;
+    model.addSun(683);
+    model.addNode({{"mesh", model.quad(model.unlit({1, 1, 1, 1}))}});
+    model.addNode({{"mesh", model.quad(model.lit(1, 1, 2e-3), 0.4f)}, {"translation", {0, 0, 0.1}}});
+    const auto second = [&](const std::string& options) {
+        EXPECT_EQ(draw(model.bytes(false), "--turntable 12 " + options).code, 0);
+        return readPicture(m_folder / "out-02.png").rgba;
+    };
+    EXPECT_EQ(second(""), second("--exposure 1"));
+    EXPECT_NE(second(""), second("--exposure auto")) << "which would be seen";
+}
+
 } // namespace
 } // namespace franken::test
