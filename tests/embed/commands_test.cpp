@@ -78,7 +78,8 @@ std::string untilThePictureIsThere(const std::string& command) {
 }
 
 TEST_F(Commands, OfTheViewer) {
-    fs::create_directory_symlink(fs::path(FRANKEN_SOURCE_DIR) / "generator", m_folder / "generator");
+    for (const char* folder : {"generator", "examples"})
+        fs::create_directory_symlink(fs::path(FRANKEN_SOURCE_DIR) / folder, m_folder / folder);
     expectSuccess("make_model urn.glb && cp urn.glb city.glb");
     const std::vector<std::string> commands = commandsOf("the-viewer");
     EXPECT_GE(commands.size(), 7u);
