@@ -40,9 +40,7 @@ struct Stage {
         EXPECT_TRUE(renderer.load(shot.scene));
     }
 
-    Result<void> draw() {
-        return renderer.draw(viewpointOf(camera, static_cast<double>(target.width) / target.height), target);
-    }
+    Result<void> draw() { return renderer.draw(viewpointOf(camera, aspectOf(target)), target); }
 
     DrawTarget target;
     Camera camera;
@@ -97,6 +95,10 @@ TEST_P(EffectsTest, FogMixesByTheDistance) {
 TEST_P(EffectsTest, FogIsTheSameWhateverTheWorldIsTurnedAndMovedBy) {
     Shot shot = seenFrom(3, unlit({1, 1, 1, 1}));
     shot.lighting.skyRotation = glm::dquat(0.5, 0.5, 0.5, 0.5);
+    glm::dmat4 moved = glm::translate(glm::dmat4(1), {6378137.25, -4131346.5, 20});
+    moved = glm::rotate(moved, 1.1, glm::normalize(glm::dvec3(1, -2, 3)));
+    shot.camera.world = moved * shot.camera.world;
+    shot.scene.instances[0].world = moved * shot.scene.instances[0].world;
     Stage stage(gl(), surface(), shot, example("fog"), "fog");
     ASSERT_TRUE(stage.renderer.setEffectValues({{Float4{0, 0, 0, 0.25f}}}));
     ASSERT_TRUE(stage.draw());

@@ -197,10 +197,11 @@ TEST(Picking, SaysWhichPlaceIsHitAndWhere) {
     EXPECT_LT(glm::distance((**hit).point, {1.98, 0.64, -1.0}), 1e-6);
 }
 
-// From where the context is lost on as well.
 TEST(Picking, NeedsNoContextAndATreeOfTheModel) {
     Shown shown(nullGl());
     const Ray ray{.origin = {-0.6, 0.3, 9}};
+    EXPECT_TRUE(*shown.renderer.pick(ray));
+    shown.renderer.contextLost();
     EXPECT_TRUE(*shown.renderer.pick(ray));
     ASSERT_TRUE(shown.renderer.setPickTree(shown.model, std::nullopt));
     EXPECT_FALSE(*shown.renderer.pick(ray));
