@@ -35,7 +35,8 @@ Scene pair() {
         Material material;
         material.factors.roughness = 0.6f;
         material.name = x < 0 ? "left" : "right";
-        material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(32, 4, kRed, glm::vec4(1)));
+        material.textures[TextureRole::BaseColor].texture =
+            builder.addTexture(checkers(32, 4, kRed, glm::vec4(1)));
         glm::mat4 world(0.5f);
         world[3] = glm::vec4(x, 0, 0, 1);
         builder.add(sphere(8), builder.addMaterial(material), world);
@@ -63,7 +64,8 @@ TEST_P(ChangesTest, EqualGeometryAndImagesAreUploadedOnce) {
         Material material;
         material.factors.roughness = 0.5f;
         if (i < 50)
-            material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(16, 4, kRed, kGreen));
+            material.textures[TextureRole::BaseColor].texture =
+                builder.addTexture(checkers(16, 4, kRed, kGreen));
         builder.add(ball, i < 50 ? builder.addMaterial(material) : 0,
                     glm::translate(glm::mat4(1), {i, 0, 0}));
     }

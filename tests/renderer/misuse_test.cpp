@@ -104,7 +104,8 @@ const std::vector<Misuse> kScenes = {
      })},
     {"RoughnessAtOtherCoordinates", "scene.data", addChanged([](Scene& s) {
          MaterialTextures& textures = s.materials[0].textures;
-         textures[TextureRole::Metallic] = textures[TextureRole::Roughness] = textures[TextureRole::BaseColor];
+         textures[TextureRole::Metallic] = textures[TextureRole::Roughness] =
+             textures[TextureRole::BaseColor];
          textures[TextureRole::Roughness].uvSet = 1;
      })},
     {"AlphaModeOfNoKind", "scene.data",

@@ -6,23 +6,17 @@
 #include "franken/gl_object.h"
 #include "support/draw_scene.h"
 #include "support/shapes.h"
+#include "support/shell.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
 namespace franken::test {
 namespace {
 
 constexpr int kSize = 256;
 constexpr glm::vec3 kAmbientInGamma(0.3f, 0.35f, 0.4f);
-
-std::string readText(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Shot seedShot() {
     SceneBuilder builder;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A picture that shares the screen and the context with others: areas, what is cleared, turned panels, GL's state.
+// A picture that shares the screen and the context with others: areas, what is cleared, turned panels, and
+// the state of GL.
 #include "franken/png.h"
 #include "support/draw_scene.h"
 #include "support/gl_recorder.h"
@@ -27,7 +28,8 @@ protected:
             Material material;
             material.factors.baseColor = colors[i];
             material.alphaMode = i == 2 ? AlphaMode::Blend : AlphaMode::Opaque;
-            material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(8, 4, glm::vec4(1), glm::vec4(0.5f)));
+            material.textures[TextureRole::BaseColor].texture =
+                builder.addTexture(checkers(8, 4, glm::vec4(1), glm::vec4(0.5f)));
             glm::mat4 world(0.5f);
             world[3] = glm::vec4(0.8f * static_cast<float>(i) - 0.8f, 0.3f * static_cast<float>(i), 0, 1);
             builder.add(sphere(8), builder.addMaterial(material), world);

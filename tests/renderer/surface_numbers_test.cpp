@@ -90,7 +90,8 @@ TEST_P(SurfaceNumbers, MetalnessAndRoughnessMayHaveATextureEach) {
                 MaterialTextures& textures = material.textures;
                 material.factors.roughness = 0.8f;
                 if (packed)
-                    textures[TextureRole::MetallicRoughness].texture = builder.addTexture(texel(0, rough, metal));
+                    textures[TextureRole::MetallicRoughness].texture =
+                        builder.addTexture(texel(0, rough, metal));
                 if (!packed && metal < 255)
                     textures[TextureRole::Metallic].texture = builder.addTexture(texel(metal, 0, 0));
                 if (!packed && rough < 255)
@@ -261,7 +262,8 @@ TEST_P(SurfaceNumbers, GlowAndColourAreDecodedAndMultiplied) {
 TEST_P(SurfaceNumbers, FarTexturesAreAsBrightAsNearOnes) {
     SceneBuilder builder;
     Material material = white();
-    material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(64, 64, {0, 0, 0, 1}, glm::vec4(1)));
+    material.textures[TextureRole::BaseColor].texture =
+        builder.addTexture(checkers(64, 64, {0, 0, 0, 1}, glm::vec4(1)));
     Primitive primitive = square();
     for (glm::vec2& uv : primitive.uv[0])
         uv *= 16.0f; // 16 texels a pixel along each side.

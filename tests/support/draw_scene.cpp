@@ -40,8 +40,7 @@ void drawShot(const Gl& gl, DrawTarget target, const Shot& shot, const Capabilit
     renderer.setLighting(shot.lighting);
     renderer.setLook(shot.look);
     target.background = shot.background;
-    const Result<void> drawn =
-        renderer.draw(viewpointOf(shot.camera, static_cast<double>(target.width) / target.height), target);
+    const Result<void> drawn = renderer.draw(viewpointOf(shot.camera, aspectOf(target)), target);
     EXPECT_TRUE(drawn) << toString(drawn.error());
     for (const Fallback& fallback : renderer.fallbacks())
         ADD_FAILURE() << toString(fallback.error);

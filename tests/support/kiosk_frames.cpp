@@ -141,7 +141,7 @@ Result<void> KioskFrames::draw(Renderer& renderer, int frame, const std::vector<
     const Camera camera = framingCamera(m_scenes[model].bounds(), 1);
     if (Result<void> changed = change(renderer, frame, model); !changed)
         return changed;
-    return renderer.draw(viewpointOf(camera, static_cast<double>(target.width) / target.height), target);
+    return renderer.draw(viewpointOf(camera, aspectOf(target)), target);
 }
 
 } // namespace franken::test
