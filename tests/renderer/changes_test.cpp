@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Changes of a model that is loaded: what is uploaded for them, and that they last. And what is uploaded
 // once.
+#include "franken/png.h"
 #include "model_fixture.h"
 #include "support/gl_recorder.h"
 #include "support/shapes.h"
@@ -82,6 +83,46 @@ TEST_P(ChangesTest, EqualGeometryAndImagesAreUploadedOnce) {
     recordedCalls().clear();
     ASSERT_TRUE(renderer.add(builder.scene));
     EXPECT_EQ(uploadedBytes(), 2 * mesh + 3 * texture);
+}
+
+Image encoded(const Image& image) {
+    return {image.name, image.width, image.height, {}, encodePng(image.width, image.height, 4, image.rgba)};
+}
+
+TEST_P(ChangesTest, EncodedImagesAreDrawnAndSharedAsTheirPixelsAre) {
+    const Image other = checkers(32, 2, kBlue, kGreen);
+    Renderer plain(gl());
+    const ModelId ofPixels = shown(plain, pair());
+    const Picture before = drawn(plain);
+    ASSERT_TRUE(plain.setTexture(ofPixels, 0, other));
+    const Picture after = drawn(plain);
+
+    Scene scene = pair();
+    for (Image& image : scene.images)
+        image = encoded(image);
+    Renderer renderer(gl());
+    const ModelId model = shown(renderer, scene);
+    const std::size_t bytes = renderer.memory().used();
+    EXPECT_EQ(compareLit(drawn(renderer), before).max(), 0);
+    ASSERT_TRUE(renderer.setTexture(model, 0, encoded(other)));
+    EXPECT_EQ(compareLit(drawn(renderer), after).max(), 0);
+    EXPECT_EQ(renderer.memory().used(), plain.memory().used());
+    EXPECT_LT(bytes, renderer.memory().used()) << "equal images were one texture";
+
+    Image smaller = encoded(checkers(16, 2, kBlue, kGreen)), broken = encoded(other);
+    smaller.width = smaller.height = 32;
+    broken.encoded.resize(50);
+    EXPECT_EQ(renderer.setTexture(model, 0, smaller).error().code, "renderer.image");
+    EXPECT_EQ(renderer.setTexture(model, 0, broken).error().code, "image.format");
+    EXPECT_EQ(compareLit(drawn(renderer), after).max(), 0) << "what is refused changes nothing";
+
+    Scene different = pair();
+    different.images[1] = other;
+    ASSERT_TRUE(plain.add(different));
+    for (Image& image : different.images)
+        image = encoded(image);
+    ASSERT_TRUE(renderer.add(different));
+    EXPECT_EQ(renderer.memory().used(), plain.memory().used()) << "two textures";
 }
 
 TEST_P(ChangesTest, FactorsUploadUniformsAlone) {

@@ -89,6 +89,11 @@ Result<TextureData> TextureData::make(const Image& image, const Texture& texture
         Result<Image> decoded = withPixels(image);
         if (!decoded)
             return decoded.error();
+        if (decoded->width != image.width || decoded->height != image.height)
+            return Error{"renderer.image", image.name,
+                         "its width and height are not those of the picture in it, which has " +
+                             std::to_string(decoded->width) + "x" + std::to_string(decoded->height),
+                         "fill in width and height as the encoded bytes have them"};
         data.m_own = *std::move(decoded);
     }
     const TextureSize size = fittedSize(data.level(0), texture, capabilities);
