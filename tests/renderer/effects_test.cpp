@@ -30,9 +30,14 @@ SnippetSet example(const std::string& name) {
 struct Stage {
     Stage(const Gl& gl, const platform::Surface& surface, Shot shot, const SnippetSet& set,
           const std::string& name)
+        : Stage(gl, surface, std::move(shot), set, name, Capabilities::query(gl)) {}
+
+    Stage(const Gl& gl, const platform::Surface& surface, Shot shot, const SnippetSet& set,
+          const std::string& name, const Capabilities& capabilities)
         : target{surface.framebuffer(), surface.size().width, surface.size().height},
           camera(shot.camera),
-          renderer(gl, [this](LogLevel, std::string_view text) { log.append(text).append("\n"); }) {
+          renderer(gl, capabilities,
+                   [this](LogLevel, std::string_view text) { log.append(text).append("\n"); }) {
         renderer.setSnippets(set);
         shot.look.effect = *set.chooseEffect(name);
         renderer.setLook(shot.look);
@@ -103,6 +108,20 @@ TEST_P(EffectsTest, FogIsTheSameWhateverTheWorldIsTurnedAndMovedBy) {
     ASSERT_TRUE(stage.renderer.setEffectValues({{Float4{0, 0, 0, 0.25f}}}));
     ASSERT_TRUE(stage.draw());
     expectCodes(codesOf(readBack()), glm::dvec3(std::exp2(-0.75)));
+}
+
+// Fragments of 16 bits get lengths in a unit of the frame's own.
+TEST_P(EffectsTest, FogIsTheSameInFragmentsOf16Bits) {
+    Capabilities capabilities = Capabilities::query(gl());
+    capabilities.precision = Precision::Fp16;
+    for (const float distance : {0.5f, 3.0f, 500.0f}) {
+        Shot shot = seenFrom(distance, unlit({1, 1, 1, 1}));
+        shot.camera.zfar = 1000;
+        Stage stage(gl(), surface(), shot, example("fog"), "fog", capabilities);
+        ASSERT_TRUE(stage.renderer.setEffectValues({{Float4{0, 0, 0, 0.75f / distance}}}));
+        ASSERT_TRUE(stage.draw());
+        expectCodes(codesOf(readBack()), glm::dvec3(std::exp2(-0.75)));
+    }
 }
 
 TEST_P(EffectsTest, ARimIsAsBrightAsTheSurfaceTurnsAway) {

@@ -136,6 +136,29 @@ TEST_P(PlacesTest, APoseIsDrawnAsASceneThatIsPosedForGood) {
     EXPECT_EQ(renderer.setPose(PlaceId{}, pose).error().code, "renderer.place");
 }
 
+TEST_P(PlacesTest, APoseEndsWhereTheSourceReadsAnotherFile) {
+    Scene other = posable();
+    other.nodes.resize(3);
+    other.instances[1].nodeIndex = 2;
+    Renderer expected(gl());
+    expected.setLighting(sunny());
+    ASSERT_TRUE(expected.load(other));
+    const Picture picture = drawn(expected, camera());
+
+    Renderer renderer(gl());
+    renderer.setLighting(sunny());
+    const Result<ModelId> model = renderer.add(posable(), [&] { return Result<Scene>(other); });
+    ASSERT_TRUE(model);
+    ASSERT_TRUE(renderer.show({{*model}}));
+    Pose pose = restPose(posable());
+    pose.nodes[0].local.translation = {-1, 0.5, 0.3};
+    ASSERT_TRUE(renderer.setPose(*renderer.firstPlace(*model), pose));
+    EXPECT_GT(compareLit(drawn(renderer, camera()), picture).max(), 8);
+    renderer.contextLost();
+    ASSERT_TRUE(renderer.restore(gl()));
+    EXPECT_EQ(compareLit(drawn(renderer, camera()), picture).max(), 0);
+}
+
 TEST_P(PlacesTest, PlacesShareBuffersTexturesAndPrograms) {
     Renderer renderer(recordingGl(gl()));
     renderer.setLighting(sunny());
