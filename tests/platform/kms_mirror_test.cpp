@@ -173,6 +173,17 @@ TEST_F(KmsMirrorTest, ItsUnansweredFlipDoesNotEndThePicture) {
     EXPECT_EQ(screen->state(), SurfaceState::Ready);
 }
 
+TEST_F(KmsMirrorTest, ItsBadLinkIsSetAgain) {
+    open();
+    screen->present(11, now);
+    flip(kFirst, 1);
+    flip(kSecond, 1);
+    device.resources.connectors[1].properties["link-status"].value = 1;
+    screen->update(now);
+    screen->present(12, now);
+    EXPECT_EQ(device.modesets, 2);
+}
+
 TEST_F(KmsMirrorTest, BothAreMadeDarkAndWake) {
     open();
     screen->present(11, now);

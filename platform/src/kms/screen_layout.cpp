@@ -17,6 +17,9 @@ bool sameMode(const drm_mode_modeinfo& a, const drm_mode_modeinfo& b) {
     return std::memcmp(&a, &b, sizeof a) == 0;
 }
 
+/// The kernel gave the signal up, and asks for a modeset.
+bool isLinkBad(const KmsConnector& connector) { return connector.word("link-status") == "Bad"; }
+
 bool sameLayout(const KmsLayout& a, const KmsLayout& b) {
     return sameMode(a.mode.mode, b.mode.mode) && a.mode.buffer == b.mode.buffer &&
            a.format.fourcc == b.format.fourcc && a.format.modifiers == b.format.modifiers &&
@@ -53,7 +56,7 @@ void KmsScreen::configure(Nanoseconds now) {
     }
     if (!m_pipe || m_pipe->connector.id != pipe->connector.id)
         m_step = 0;
-    if (pipe->connector.word("link-status") == "Bad")
+    if (isLinkBad(pipe->connector))
         m_needsModeset = true;
     if (!chooseLayout(m_resources, *pipe, now))
         return;
@@ -155,6 +158,8 @@ std::optional<KmsMirror> KmsScreen::findMirror(const KmsResources& resources, co
 }
 
 void KmsScreen::adoptMirror(std::optional<KmsMirror> mirror) {
+    if (mirror && isLinkBad(mirror->pipe.connector))
+        m_needsModeset = true;
     std::optional<KmsMirror>& unused = sameMirror(mirror, m_mirror) ? mirror : m_mirror;
     if (unused)
         m_device.removeBlob(unused->modeBlob);
