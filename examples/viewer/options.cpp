@@ -211,9 +211,8 @@ void addLoading(CLI::App& app, Options& options) {
 void checkTogether(const Options& options) {
     const std::filesystem::path inputs[] = {options.model,    options.skybox,   options.heightMap,
                                             options.manifest, options.snippets, options.effect};
-    for (int number = 0; number < std::max(options.turntable, 1); ++number)
-        if (const Result<void> checked = checkNotInput(outputOf(options, number), inputs); !checked)
-            throw CLI::ValidationError("--output-file", checked.error().what);
+    if (const Result<void> checked = checkOutputs(options, inputs); !checked)
+        throw CLI::ValidationError("--output-file", checked.error().what);
     if (const auto& pick = options.pick)
         if ((*pick)[0] < 0 || (*pick)[1] < 0 || (*pick)[0] >= options.size.width ||
             (*pick)[1] >= options.size.height)
@@ -318,6 +317,13 @@ void addLook(CLI::App& app, Look& look) {
 }
 
 } // namespace
+
+Result<void> checkOutputs(const Options& options, std::span<const std::filesystem::path> inputs) {
+    for (int number = 0; number < std::max(options.turntable, 1); ++number)
+        if (Result<void> checked = checkNotInput(outputOf(options, number), inputs); !checked)
+            return checked;
+    return {};
+}
 
 std::filesystem::path outputOf(const Options& options, int number) {
     if (options.turntable == 0)

@@ -6,10 +6,12 @@
 #include "franken/gltf.h"
 #include "franken/material.h"
 #include "franken/platform/surface.h"
+#include "franken/result.h"
 
 #include <array>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -57,6 +59,9 @@ struct Options {
 /// Where the picture of that number goes, counted from 0, of those all around: the output with the number,
 /// from 1 on, before its extension. The output itself without a turntable.
 std::filesystem::path outputOf(const Options& options, int number);
+
+/// Fails where a picture would overwrite one of these.
+franken::Result<void> checkOutputs(const Options& options, std::span<const std::filesystem::path> inputs);
 
 /// What the command line asks for; or the exit code where there is nothing left to do, because of --help or a
 /// mistake that has been reported.

@@ -100,6 +100,8 @@ std::optional<Failure> Session::readModel(Subject& subject) {
     if (!scene)
         return Failure{inShellWords(scene.error()), ExitCode::Refused};
     subject.scene = *std::move(scene);
+    if (const Result<void> checked = checkOutputs(m_options, subject.scene.files); !checked)
+        return Failure{checked.error(), ExitCode::Usage};
     if (!m_options.variant.empty())
         if (Result<void> chosen = applyVariant(subject.scene, m_options.variant); !chosen)
             return Failure{chosen.error(), ExitCode::Usage};

@@ -2,10 +2,12 @@
 // The node tree: placement, instances, poses, cameras and lights.
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 
 #include <glm/geometric.hpp>
 
 #include "gltf_file.h"
+#include "support/shell.h"
 
 namespace {
 
@@ -183,6 +185,25 @@ TEST(GltfNode, BinaryContainerGivesTheSame) {
     std::filesystem::remove(path);
     ASSERT_TRUE(scene) << toString(scene.error());
     EXPECT_EQ(scene->meshes[0].primitives[0].positions, file.loaded().meshes[0].primitives[0].positions);
+}
+
+TEST(GltfScene, SaysWhichFilesItWasReadFrom) {
+    GltfFile file;
+    file.setTriangle();
+    for (const char* image : {"image.png", "missing.png", "data:image/png;base64,AAAA"})
+        file.append("images", {{"uri", image}});
+    const std::filesystem::path folder = std::filesystem::canonical(franken::test::emptyTestFolder());
+    const std::string bytes = file.bytes(false);
+    std::ofstream(folder / "model.gltf", std::ios::binary) << bytes;
+    std::ofstream(folder / "image.png") << "no picture, but a file";
+    const auto scene = franken::loadGltf(folder / "model.gltf");
+    ASSERT_TRUE(scene) << toString(scene.error());
+    EXPECT_EQ(scene->files,
+              (std::vector<std::filesystem::path>{folder / "model.gltf", folder / "image.png"}));
+    const auto fromMemory =
+        franken::loadGltf({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, "memory");
+    ASSERT_TRUE(fromMemory) << toString(fromMemory.error());
+    EXPECT_TRUE(fromMemory->files.empty());
 }
 
 } // namespace

@@ -75,9 +75,22 @@ TEST_F(Viewer, RefusesWhatWouldDestroyItsInput) {
     EXPECT_EQ(run("urn.glb -o urn.glb").code, 2);
     EXPECT_EQ(run("urn.glb -o ./urn.glb --size 8x8").code, 2);
     EXPECT_EQ(readText(m_folder / "urn.glb"), model);
+    fs::copy_file(fs::path(FRANKEN_SOURCE_DIR) / "examples/effects/fog.glsl", m_folder / "fog.glsl");
+    EXPECT_EQ(run("urn.glb --effect fog.glsl -o fog.glsl").code, 2);
     std::ofstream(m_folder / "notes.txt") << "Buy milk.\n";
     EXPECT_NE(run("urn.glb --size 8x8 --manifest notes.txt").code, 0);
     EXPECT_EQ(readText(m_folder / "notes.txt"), "Buy milk.\n");
+}
+
+TEST_F(Viewer, RefusesWhatWouldDestroyAFileOfItsModel) {
+    std::ofstream(m_folder / "model.gltf") << R"({"asset":{"version":"2.0"},"images":[{"uri":"a%20b.png"}],)"
+                                              R"("buffers":[{"uri":"data.bin","byteLength":4}]})";
+    for (const char* file : {"a b.png", "data.bin"})
+        std::ofstream(m_folder / file) << "four";
+    for (const char* options : {"-o 'a b.png'", "-o data.bin", "-o ./data.bin"})
+        EXPECT_EQ(run(std::string("model.gltf ") + options).code, 2) << options;
+    for (const char* file : {"a b.png", "data.bin"})
+        EXPECT_EQ(readText(m_folder / file), "four");
 }
 
 TEST_F(Viewer, ABackgroundIsWhatADisplayShows) {

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <string>
 #include <vector>
@@ -179,6 +180,9 @@ struct Scene {
     std::vector<Node> nodes; ///< All of the file, each after its parent. What stands above is as they are at
                              ///< rest; pose.h moves it.
     std::vector<Animation> animations; ///< In the order of the file's array; faulty ones are left out.
+
+    /// What loadGltf() read, the model's own file first; empty for a scene that is not from files.
+    std::vector<std::filesystem::path> files;
 
     /// Of all visible instances, in the world; empty where nothing is drawn.
     Box bounds() const;

@@ -41,11 +41,16 @@ bool checkExtensions(Source& source, const Json& root);
 /// only where it would be too much.
 bool loadResources(Source& source, const std::filesystem::path* folder);
 
+struct UriContents {
+    std::vector<std::uint8_t> bytes;
+    std::filesystem::path file; ///< Empty for a data URI.
+};
+
 /// What a data URI holds, or the file in `folder` that a relative one names. No scheme, no absolute path, no
 /// ".." that leaves the folder and no symbolic link out of it is followed. A backslash separates where no
 /// file has it in its name. Fails with "gltf.uri", "file.outside", "file.open" or "file.size".
-Result<std::vector<std::uint8_t>> readUri(const std::string& uri, const std::filesystem::path* folder,
-                                          std::size_t maxBytes);
+Result<UriContents> readUri(const std::string& uri, const std::filesystem::path* folder,
+                            std::size_t maxBytes);
 bool isDataUri(const std::string& uri);
 
 } // namespace franken::gltf

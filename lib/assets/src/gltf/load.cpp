@@ -45,10 +45,14 @@ Result<Scene> loadBytes(std::span<const std::uint8_t> bytes, const std::string& 
     source.options = options;
     source.log = log;
     source.bytes = bytes;
+    if (folder != nullptr)
+        source.files.push_back(name);
     Scene scene;
     try {
-        if (load(source, folder, scene))
+        if (load(source, folder, scene)) {
+            scene.files = std::move(source.files);
             return scene;
+        }
     } catch (const std::bad_alloc&) {
         source.fail("gltf.limit", "", "there is not enough memory for the file", "make the model smaller");
     } catch (const std::exception& exception) {

@@ -9,10 +9,11 @@ namespace {
 /// Reads what a URI names; where it cannot be had, says why.
 bool fetch(Source& source, std::string& uri, const std::filesystem::path* folder, const std::string& where,
            std::vector<std::uint8_t>& bytes, std::string& problem) {
-    Result<std::vector<std::uint8_t>> read =
-        readUri(uri, folder, std::min(source.options.maxFileBytes, source.room()));
+    Result<UriContents> read = readUri(uri, folder, std::min(source.options.maxFileBytes, source.room()));
     if (read) {
-        bytes = *std::move(read);
+        bytes = std::move(read->bytes);
+        if (!read->file.empty())
+            source.files.push_back(std::move(read->file));
         if (isDataUri(uri))
             uri = {}; // gives its memory back
         else if (uri.find('\\') != std::string::npos)

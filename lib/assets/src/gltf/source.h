@@ -57,8 +57,9 @@ struct Source {
     std::span<const std::uint8_t> binaryChunk; ///< In `bytes`; empty in a .gltf.
     std::vector<Buffer> buffers;
     std::vector<EncodedImage> images;
-    std::vector<std::size_t> strides; ///< By buffer view, as the file has them; 0: packed.
-    std::size_t charged = 0;          ///< Bytes, of LoadOptions::maxMemoryBytes.
+    std::vector<std::filesystem::path> files; ///< Scene::files
+    std::vector<std::size_t> strides;         ///< By buffer view, as the file has them; 0: packed.
+    std::size_t charged = 0;                  ///< Bytes, of LoadOptions::maxMemoryBytes.
     std::optional<Error> error;
     std::map<std::string, Error>
         faults; ///< By element ("/cameras/1"): what is wrong with it, if it is needed.

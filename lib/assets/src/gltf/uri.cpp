@@ -127,14 +127,17 @@ std::optional<std::string> withoutDots(const std::string& path) {
     return joined;
 }
 
-Result<std::vector<std::uint8_t>> readBelow(const std::filesystem::path& folder, const std::string& name,
-                                            std::size_t maxBytes) {
+Result<UriContents> readBelow(const std::filesystem::path& folder, const std::string& name,
+                              std::size_t maxBytes) {
     const std::optional<std::string> inside = name.starts_with('/') ? std::nullopt : withoutDots(name);
     if (!inside || inside->empty())
         return Error{"file.outside", name, "the path leads out of the model's folder",
                      "put the file next to the model, and name it relative to that"};
-    const Result<std::filesystem::path> path = findBelow(folder, *inside);
-    return path ? readFile(*path, maxBytes) : path.error();
+    return findBelow(folder, *inside).and_then([&](const std::filesystem::path& file) {
+        return readFile(file, maxBytes).transform([&](std::vector<std::uint8_t> bytes) {
+            return UriContents{std::move(bytes), file};
+        });
+    });
 }
 
 } // namespace
@@ -145,10 +148,12 @@ bool isDataUri(const std::string& uri) {
     return endsWithIgnoringCase({start, start + length}, "data:");
 }
 
-Result<std::vector<std::uint8_t>> readUri(const std::string& uri, const std::filesystem::path* folder,
-                                          std::size_t maxBytes) {
+Result<UriContents> readUri(const std::string& uri, const std::filesystem::path* folder,
+                            std::size_t maxBytes) {
     if (isDataUri(uri))
-        return decodeDataUri(uri, maxBytes);
+        return decodeDataUri(uri, maxBytes).transform([](std::vector<std::uint8_t> bytes) {
+            return UriContents{std::move(bytes), {}};
+        });
     if (!folder)
         return uriError("it is in another file, " + uri.substr(0, kShownChars) + ", and there is no folder");
     std::string decoded = decodePercent(uri);
@@ -158,7 +163,7 @@ Result<std::vector<std::uint8_t>> readUri(const std::string& uri, const std::fil
     if (hasScheme || decoded.find('\0') != std::string::npos)
         return uriError("only files in the model's folder are read, and " + uri.substr(0, kShownChars) +
                         " is none");
-    Result<std::vector<std::uint8_t>> read = readBelow(*folder, decoded, maxBytes);
+    Result<UriContents> read = readBelow(*folder, decoded, maxBytes);
     if (read || decoded.find('\\') == std::string::npos)
         return read;
     std::replace(decoded.begin(), decoded.end(), '\\', '/');
