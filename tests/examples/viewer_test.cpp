@@ -75,8 +75,6 @@ TEST_F(Viewer, RefusesWhatWouldDestroyItsInput) {
     EXPECT_EQ(run("urn.glb -o urn.glb").code, 2);
     EXPECT_EQ(run("urn.glb -o ./urn.glb --size 8x8").code, 2);
     EXPECT_EQ(readText(m_folder / "urn.glb"), model);
-    fs::copy_file(fs::path(FRANKEN_SOURCE_DIR) / "examples/effects/fog.glsl", m_folder / "fog.glsl");
-    EXPECT_EQ(run("urn.glb --effect fog.glsl -o fog.glsl").code, 2);
     std::ofstream(m_folder / "notes.txt") << "Buy milk.\n";
     EXPECT_NE(run("urn.glb --size 8x8 --manifest notes.txt").code, 0);
     EXPECT_EQ(readText(m_folder / "notes.txt"), "Buy milk.\n");
