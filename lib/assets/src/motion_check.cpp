@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "motion_check.h"
 
+#include "element.h"
+#include "finite.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace franken {
 namespace {
 
-std::string at(const std::string& array, std::size_t index) {
-    return array + "[" + std::to_string(index) + "]";
-}
-
 Error fault(const std::string& where, const char* what) {
     return {"scene.data", where, what, "see animation.h for the values of each member"};
-}
-
-bool areFinite(const std::vector<float>& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); });
 }
 
 Result<void> checkSampler(const AnimationSampler& sampler, const std::string& where) {
@@ -46,11 +41,12 @@ Result<void> checkAnimation(const Scene& scene, const Animation& animation, cons
     if (!std::isfinite(animation.duration))
         return fault(where + ".duration", "it must be finite");
     for (std::size_t s = 0; s < animation.samplers.size(); ++s)
-        if (Result<void> checked = checkSampler(animation.samplers[s], at(where + ".samplers", s)); !checked)
+        if (Result<void> checked = checkSampler(animation.samplers[s], elementOf(where + ".samplers", s));
+            !checked)
             return checked;
     for (std::size_t c = 0; c < animation.channels.size(); ++c)
         if (Result<void> checked =
-                checkChannel(scene, animation, animation.channels[c], at(where + ".channels", c));
+                checkChannel(scene, animation, animation.channels[c], elementOf(where + ".channels", c));
             !checked)
             return checked;
     return {};
@@ -61,9 +57,10 @@ Result<void> checkAnimation(const Scene& scene, const Animation& animation, cons
 Result<void> checkMotion(const Scene& scene) {
     for (std::size_t n = 0; n < scene.nodes.size(); ++n)
         if (scene.nodes[n].parent != kNone && !isIndex(scene.nodes[n].parent, n))
-            return fault(at("nodes", n) + ".parent", "it must be a node before this one");
+            return fault(elementOf("nodes", n) + ".parent", "it must be a node before this one");
     for (std::size_t a = 0; a < scene.animations.size(); ++a)
-        if (Result<void> checked = checkAnimation(scene, scene.animations[a], at("animations", a)); !checked)
+        if (Result<void> checked = checkAnimation(scene, scene.animations[a], elementOf("animations", a));
+            !checked)
             return checked;
     return {};
 }

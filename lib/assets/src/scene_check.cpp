@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "franken/scene_check.h"
 
+#include "element.h"
+#include "finite.h"
 #include "motion_check.h"
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -12,27 +12,11 @@ namespace franken {
 namespace {
 
 template<typename Vector>
-bool isFinite(const Vector& vector) {
-    const auto* const first = glm::value_ptr(vector);
-    return std::all_of(first, first + sizeof(vector) / sizeof(*first),
-                       [](auto value) { return std::isfinite(value); });
-}
-
-template<typename Vector>
-bool areFinite(const std::vector<Vector>& vectors) {
+bool areAllFinite(const std::vector<Vector>& vectors) {
     return std::all_of(vectors.begin(), vectors.end(), isFinite<Vector>);
 }
 
-bool areNumbers(const Float4& numbers) {
-    return std::all_of(numbers.begin(), numbers.end(), [](float number) { return std::isfinite(number); });
-}
-
 bool isWithin(float value, float least, float most) { return value >= least && value <= most; }
-
-/// The place of an element: "meshes[2].primitives[0]".
-std::string at(const char* array, std::size_t index) {
-    return std::string(array) + "[" + std::to_string(index) + "]";
-}
 
 /// Gathers the first fault.
 class Checker {
@@ -47,7 +31,7 @@ public:
         each("materials", m_scene.materials,
              [&](const Material& material, const std::string& where) { add(material, where); });
         each("meshes", m_scene.meshes, [&](const Mesh& mesh, const std::string& where) {
-            each((where + ".primitives").c_str(), mesh.primitives,
+            each(where + ".primitives", mesh.primitives,
                  [&](const Primitive& primitive, const std::string& place) { add(primitive, place); });
         });
         each("instances", m_scene.instances, [&](const Instance& instance, const std::string& where) {
@@ -69,9 +53,9 @@ public:
 
 private:
     template<typename Elements, typename Function>
-    void each(const char* array, const Elements& elements, Function function) {
+    void each(const std::string& array, const Elements& elements, Function function) {
         for (std::size_t i = 0; i < elements.size() && m_fault; ++i)
-            function(elements[i], at(array, i));
+            function(elements[i], elementOf(array, i));
     }
 
     void expect(bool holds, const std::string& where, const char* member, const char* what) {
@@ -148,7 +132,7 @@ private:
 
     void add(const MaterialFactors& factors, const std::string& where) {
         const auto isLight = [](float value) { return std::isfinite(value) && value >= 0; };
-        expect(areNumbers(factors.baseColor), where, ".factors.baseColor", "its numbers must be finite");
+        expect(areFinite(factors.baseColor), where, ".factors.baseColor", "its numbers must be finite");
         expect(isWithin(factors.metallic, 0, 1), where, ".factors.metallic", "it must be 0 to 1");
         expect(isWithin(factors.roughness, 0, 1), where, ".factors.roughness", "it must be 0 to 1");
         expect(std::isfinite(factors.normalScale), where, ".factors.normalScale", "it must be finite");
@@ -164,7 +148,7 @@ private:
                    const char* member) {
         expect(values.empty() || values.size() == vertices, where, member,
                "it must be empty, or as long as positions");
-        expect(areFinite(values), where, member, "its numbers must be finite");
+        expect(areAllFinite(values), where, member, "its numbers must be finite");
     }
 
     void add(const Primitive& primitive, const std::string& where) {
@@ -176,7 +160,7 @@ private:
         };
         expect(std::all_of(primitive.variantMaterials.begin(), primitive.variantMaterials.end(), isVariant),
                where, ".variantMaterials", "there is no such material");
-        expect(areFinite(primitive.positions), where, ".positions", "its numbers must be finite");
+        expect(areAllFinite(primitive.positions), where, ".positions", "its numbers must be finite");
         expect(primitive.normals.size() == vertices, where, ".normals",
                "there must be one for each position");
         addStream(primitive.normals, vertices, where, ".normals");

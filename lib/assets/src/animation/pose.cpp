@@ -2,24 +2,22 @@
 #include "franken/pose.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
 #include "animation/rotation.h"
+#include "element.h"
+#include "finite.h"
 
 namespace franken {
 namespace {
 
-bool isFinite(const NodeState& state) {
+bool hasFiniteNumbers(const NodeState& state) {
     const Transform& local = state.local;
-    const double sum = local.translation.x + local.translation.y + local.translation.z + local.rotation.x +
-                       local.rotation.y + local.rotation.z + local.rotation.w + local.scale.x +
-                       local.scale.y + local.scale.z;
-    return std::isfinite(sum) && std::all_of(state.weights.begin(), state.weights.end(),
-                                             [](float weight) { return std::isfinite(weight); });
+    return isFinite(local.translation) && isFinite(local.rotation) && isFinite(local.scale) &&
+           areFinite(state.weights);
 }
 
 const NodeWorld& worldOf(const std::vector<NodeWorld>& worlds, int node) {
@@ -61,7 +59,7 @@ Result<void> mix(const Pose& a, const Pose& b, double t, Pose& out) {
 
 Result<void> check(const Scene& scene, const Pose& pose) {
     const auto error = [](std::size_t node, const char* what) {
-        return Error{"pose.nodes", "nodes[" + std::to_string(node) + "]", what,
+        return Error{"pose.nodes", elementOf("nodes", node), what,
                      "start from restPose() or sample() of the same scene"};
     };
     if (pose.nodes.size() != scene.nodes.size())
@@ -69,7 +67,7 @@ Result<void> check(const Scene& scene, const Pose& pose) {
     for (std::size_t n = 0; n < pose.nodes.size(); ++n) {
         if (pose.nodes[n].weights.size() != scene.nodes[n].rest.weights.size())
             return error(n, "the node has another number of weights");
-        if (!isFinite(pose.nodes[n]))
+        if (!hasFiniteNumbers(pose.nodes[n]))
             return error(n, "its numbers must be finite");
     }
     return {};

@@ -3,6 +3,7 @@
 
 #include <glm/common.hpp>
 
+#include "finite.h"
 #include "gltf/material.h"
 
 namespace franken::gltf {
@@ -36,11 +37,9 @@ bool readRef(Document& source, const Json& info, const std::string& where, Textu
         ref.transformed = ref.transform != glm::mat3(1.0f);
         ref.uvSet = moved.value("texCoord", ref.uvSet);
     }
-    for (int column = 0; column < 3; ++column)
-        for (int row = 0; row < 3; ++row)
-            if (!std::isfinite(ref.transform[column][row]))
-                return source.fail("gltf.value", where + "/extensions/KHR_texture_transform",
-                                   "a number is not finite");
+    if (!isFinite(ref.transform))
+        return source.fail("gltf.value", where + "/extensions/KHR_texture_transform",
+                           "a number is not finite");
     if (ref && (ref.uvSet < 0 || ref.uvSet > 1)) {
         source.warn(kLeftOut, where,
                     "TEXCOORD_" + std::to_string(ref.uvSet) + " is not supported, only 0 and 1: left out");

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -9,6 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include "finite.h"
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"
 #include "gltf/node.h"
@@ -19,14 +19,6 @@ namespace {
 
 std::vector<int> sceneRoots(const tinygltf::Model& model) {
     return model.scenes.empty() ? allRoots(model) : model.scenes[at(std::max(model.defaultScene, 0))].nodes;
-}
-
-bool isFinite(const glm::mat4& matrix) {
-    for (int column = 0; column < 4; ++column)
-        for (int row = 0; row < 4; ++row)
-            if (!std::isfinite(matrix[column][row]))
-                return false;
-    return true;
 }
 
 // Of all nodes, those outside the scene too, because a skin's joints may be there.

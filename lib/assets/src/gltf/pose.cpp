@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
 #include <glm/geometric.hpp>
 
+#include "finite.h"
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"
 
@@ -33,7 +33,7 @@ glm::mat3 cofactors(const glm::mat4& matrix) {
 
 bool checkFinitePositions(Document& source, const std::string& where, const Primitive& primitive) {
     for (const glm::vec3& position : primitive.positions)
-        if (!std::isfinite(position.x) || !std::isfinite(position.y) || !std::isfinite(position.z))
+        if (!isFinite(position))
             return source.fail("gltf.value", where, "the pose moves a vertex out of the range of floats");
     return true;
 }

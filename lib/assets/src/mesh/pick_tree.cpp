@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/pick.h"
 
+#include "finite.h"
 #include "franken/scene_check.h"
 #include "mesh/box_tree.h"
 #include "mesh/ray_triangle.h"
@@ -10,7 +11,6 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace franken {
 namespace {
@@ -53,10 +53,6 @@ PickPrimitive prepare(const Primitive& primitive) {
     prepared.materials.insert(prepared.materials.end(), primitive.variantMaterials.begin(),
                               primitive.variantMaterials.end());
     return prepared;
-}
-
-bool isFinite(const glm::dvec3& vector) {
-    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
 }
 
 Error rayError(const char* where, const char* what) {
