@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "franken/pose.h"
+#include "franken/scene_check.h"
 #include "gltf_file.h"
 
 using namespace franken;
@@ -109,6 +110,59 @@ TEST(Pose, MovesWhatHangsBelowAndHidesIt) {
     EXPECT_TRUE(scene.instances[0].visible);
     EXPECT_EQ(scene.instances[0].world[3].x, 5);
     EXPECT_EQ(applyPose(scene, Pose{}).error().code, "pose.nodes");
+}
+
+TEST(Pose, IsRefusedWhereItIsNotTheScenes) {
+    const Scene scene = animated("translation", "VEC3", {0}, {1, 2, 3}).loaded();
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double kLarge = std::numeric_limits<double>::max();
+    const auto placeOf = [&](auto change) {
+        Pose pose = restPose(scene);
+        change(pose.nodes.at(0));
+        const Result<void> checked = check(scene, pose);
+        return checked ? "" : checked.error().code + " " + checked.error().where;
+    };
+    const std::string refused = "pose.nodes nodes[0]";
+    EXPECT_EQ(placeOf([](NodeState& node) { node.local.translation = {kInfinity, -kInfinity, 0}; }), refused);
+    EXPECT_EQ(placeOf([](NodeState& node) { node.local.rotation.w = std::nan(""); }), refused);
+    EXPECT_EQ(placeOf([](NodeState& node) { node.local.scale.z = kInfinity; }), refused);
+    EXPECT_EQ(placeOf([](NodeState& node) { node.weights = {1}; }), refused);
+    EXPECT_EQ(placeOf([](NodeState& node) { node.local.scale = {kLarge, kLarge, 1}; }), "");
+}
+
+struct MotionFault {
+    const char* where;
+    void (*change)(Scene&);
+};
+
+const MotionFault kMotionFaults[] = {
+    {"instances[0].nodeIndex", [](Scene& scene) { scene.instances[0].nodeIndex = 1; }},
+    {"cameras[0].nodeIndex", [](Scene& scene) { scene.cameras.emplace_back().nodeIndex = 1; }},
+    {"lights[0].nodeIndex", [](Scene& scene) { scene.lights.emplace_back().nodeIndex = -2; }},
+    {"nodes[0].parent", [](Scene& scene) { scene.nodes[0].parent = 0; }},
+    {"animations[0].duration", [](Scene& scene) { scene.animations[0].duration = std::nanf(""); }},
+    {"animations[0].samplers[0].times", [](Scene& scene) { scene.animations[0].samplers[0].times = {}; }},
+    {"animations[0].samplers[0].times", [](Scene& scene) { scene.animations[0].samplers[0].times[1] = -1; }},
+    {"animations[0].samplers[0].times",
+     [](Scene& scene) { scene.animations[0].samplers[0].times[1] = std::nanf(""); }},
+    {"animations[0].samplers[0].values",
+     [](Scene& scene) { scene.animations[0].samplers[0].values[5] = std::nanf(""); }},
+    {"animations[0].channels[0].node", [](Scene& scene) { scene.animations[0].channels[0].node = 1; }},
+    {"animations[0].channels[0].sampler", [](Scene& scene) { scene.animations[0].channels[0].sampler = 1; }},
+    {"animations[0].channels[0]", [](Scene& scene) { scene.animations[0].samplers[0].values.pop_back(); }},
+};
+
+TEST(CheckedScene, NamesWhatIsWrongWithItsMotion) {
+    const Scene sound = animated("translation", "VEC3", {0, 1}, {0, 0, 0, 1, 0, 0}).loaded();
+    EXPECT_TRUE(check(sound));
+    for (const auto& [where, change] : kMotionFaults) {
+        Scene scene = sound;
+        change(scene);
+        const Result<void> checked = check(scene);
+        ASSERT_FALSE(checked) << where;
+        EXPECT_EQ(checked.error().code, "scene.data");
+        EXPECT_EQ(checked.error().where, where);
+    }
 }
 
 TEST(GltfAnimation, FaultsCostTheAnimationAlone) {
