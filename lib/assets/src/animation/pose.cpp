@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "animation/node_world.h"
 #include "animation/rotation.h"
 #include "element.h"
 #include "finite.h"
@@ -73,16 +74,24 @@ Result<void> check(const Scene& scene, const Pose& pose) {
     return {};
 }
 
+NodeWorld below(const NodeWorld& parent, const NodeWorld& local) {
+    return {parent.matrix * local.matrix, parent.visible && local.visible};
+}
+
+void place(const glm::dmat4& world, Light& light) {
+    light.position = glm::dvec3(world[3]);
+    if (const glm::dvec3 back(world[2]); glm::length(back) > 0.0)
+        light.direction = -glm::normalize(back);
+}
+
 void worldsOf(const Scene& scene, const Pose& pose, std::vector<NodeWorld>& worlds) {
     worlds.resize(scene.nodes.size());
     for (std::size_t n = 0; n < worlds.size(); ++n) {
         const Node& node = scene.nodes[n];
         const NodeState& state = pose.nodes[n];
         worlds[n] = {node.matrix ? *node.matrix : matrixOf(state.local), state.visible};
-        if (node.parent == kNone)
-            continue;
-        const NodeWorld& parent = worldOf(worlds, node.parent);
-        worlds[n] = {parent.matrix * worlds[n].matrix, parent.visible && state.visible};
+        if (node.parent != kNone)
+            worlds[n] = below(worldOf(worlds, node.parent), worlds[n]);
     }
 }
 
@@ -101,12 +110,8 @@ void follow(const std::vector<NodeWorld>& worlds, Camera& camera) {
 }
 
 void follow(const std::vector<NodeWorld>& worlds, Light& light) {
-    if (light.nodeIndex == kNone)
-        return;
-    const glm::dmat4& world = worldOf(worlds, light.nodeIndex).matrix;
-    light.position = glm::dvec3(world[3]);
-    if (const glm::dvec3 back(world[2]); glm::length(back) > 0.0)
-        light.direction = -glm::normalize(back);
+    if (light.nodeIndex != kNone)
+        place(worldOf(worlds, light.nodeIndex).matrix, light);
 }
 
 Result<void> applyPose(Scene& scene, const Pose& pose) {

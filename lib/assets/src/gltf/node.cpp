@@ -4,10 +4,10 @@
 #include <utility>
 
 #include <glm/ext/matrix_transform.hpp>
-#include <glm/geometric.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include "animation/node_world.h"
 #include "finite.h"
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"
@@ -22,19 +22,14 @@ std::vector<int> sceneRoots(const tinygltf::Model& model) {
 }
 
 // Of all nodes, those outside the scene too, because a skin's joints may be there.
-bool worldMatrices(Document& source, std::vector<glm::dmat4>& worlds, std::vector<bool>& visible) {
+bool placeNodes(Document& source, std::vector<NodeWorld>& worlds) {
     const tinygltf::Model& model = source.model;
     for (const tinygltf::Node& node : model.nodes)
-        visible.push_back(isVisible(node));
-    worlds.resize(model.nodes.size());
-    for (std::size_t i = 0; i < worlds.size(); ++i)
-        worlds[i] = localMatrix(model.nodes[i]);
+        worlds.push_back({localMatrix(node), isVisible(node)});
     for (const int node : depthFirst(model, allRoots(model))) {
-        for (const int child : model.nodes[at(node)].children) {
-            worlds[at(child)] = worlds[at(node)] * worlds[at(child)];
-            visible[at(child)] = visible[at(child)] && visible[at(node)];
-        }
-        if (!isFinite(glm::mat4(worlds[at(node)]))) {
+        for (const int child : model.nodes[at(node)].children)
+            worlds[at(child)] = below(worlds[at(node)], worlds[at(child)]);
+        if (!isFinite(glm::mat4(worlds[at(node)].matrix))) {
             source.fail("gltf.value", pathOf("nodes", node), "the node's place in the world is not finite");
             if (!source.defer(pathOf("nodes", node)))
                 return false;
@@ -51,7 +46,7 @@ public:
 
     bool walk() {
         const tinygltf::Model& model = m_source.model;
-        if (!worldMatrices(m_source, m_worlds, m_visible))
+        if (!placeNodes(m_source, m_worlds))
             return false;
         if (!model.scenes.empty() && !m_source.need(pathOf("scenes", std::max(model.defaultScene, 0))))
             return false;
@@ -77,8 +72,7 @@ private:
     Document& m_source;
     const NodePlaces& m_places;
     Scene& m_scene;
-    std::vector<glm::dmat4> m_worlds;
-    std::vector<bool> m_visible; ///< Of all nodes: none above is hidden either.
+    std::vector<NodeWorld> m_worlds;                             ///< By file node.
     std::map<std::pair<int, std::vector<double>>, int> m_meshes; ///< By file mesh and weights.
 };
 
@@ -101,7 +95,7 @@ bool Walker::readJointMatrices(int index, const glm::dvec3& origin, std::vector<
             joints[j] = glm::make_mat4(numbers.data() + j * 16);
     }
     for (std::size_t j = 0; j < joints.size(); ++j) {
-        glm::dmat4 world = m_worlds[at(skin.joints[j])];
+        glm::dmat4 world = m_worlds[at(skin.joints[j])].matrix;
         world[3] -= glm::dvec4(origin, 0);
         joints[j] = glm::mat4(world * glm::dmat4(joints[j]));
     }
@@ -136,7 +130,7 @@ bool Walker::addMesh(int index) {
         static_cast<float>(m_scene.instances.size()) / static_cast<float>(m_source.model.nodes.size());
     if (!m_source.proceed(kReadImages + (1 - kReadImages) * share, "meshes"))
         return false;
-    glm::dmat4 world = m_worlds[at(index)];
+    glm::dmat4 world = m_worlds[at(index)].matrix;
     bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
     Pose pose;
     pose.weights = node.weights.empty() ? m_source.model.meshes[at(node.mesh)].weights : node.weights;
@@ -145,7 +139,7 @@ bool Walker::addMesh(int index) {
             return false;
         m_source.warnOnce(kLeftOut, "skins are not animated; the pose of the file is drawn");
         pose.mirrored = std::exchange(mirrored, false);
-        const glm::dvec3 origin(m_worlds[at(m_source.model.skins[at(node.skin)].joints[0])][3]);
+        const glm::dvec3 origin(m_worlds[at(m_source.model.skins[at(node.skin)].joints[0])].matrix[3]);
         if (!readJointMatrices(node.skin, origin, pose.joints))
             return false;
         world = glm::translate(glm::dmat4(1.0), origin);
@@ -159,7 +153,7 @@ bool Walker::addMesh(int index) {
                                  .mesh = mesh,
                                  .world = world,
                                  .mirrored = mirrored,
-                                 .visible = m_visible[at(index)],
+                                 .visible = m_worlds[at(index)].visible,
                                  .nodeIndex = node.skin == kNone ? m_places[at(index)] : kNone});
     return true;
 }
@@ -173,7 +167,7 @@ bool Walker::addCamera(int index) {
     if (!m_source.need(where) || !readCamera(m_source, number, camera))
         return m_source.defer(where); // There are other cameras, or a framing one.
     camera.node = m_source.model.nodes[at(index)].name;
-    camera.world = m_worlds[at(index)];
+    camera.world = m_worlds[at(index)].matrix;
     camera.nodeIndex = m_places[at(index)];
     m_scene.cameras.push_back(camera);
     return true;
@@ -195,12 +189,8 @@ bool Walker::addLight(int index) {
         return true;
     if (!readLight(m_source, number.GetNumberAsInt(), light))
         return false;
-    const glm::dmat4& world = m_worlds[at(index)];
     light.nodeIndex = m_places[at(index)];
-    light.position = glm::dvec3(world[3]);
-    const glm::dvec3 back(world[2]);
-    if (glm::length(back) > 0.0)
-        light.direction = -glm::normalize(back);
+    place(m_worlds[at(index)].matrix, light);
     m_scene.lights.push_back(light);
     return true;
 }
