@@ -8,6 +8,7 @@
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"
 #include "gltf/variants.h"
+#include "mesh/vertices.h"
 
 namespace franken::gltf {
 namespace {
@@ -97,12 +98,6 @@ void turnTriangles(std::vector<std::uint32_t>& indices) {
         std::swap(indices[i + 1], indices[i + 2]);
 }
 
-glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise) {
-    const glm::dvec3 exact(vector); // whose square no float under- or overflows
-    const double length = glm::length(exact);
-    return length > 0.0 ? glm::vec3(exact / length) : otherwise;
-}
-
 // A normal of no length says nothing: that of the triangles around the vertex stands in.
 void fillNormals(const Document& source, const std::string& where, Primitive& primitive) {
     const auto isMissing = [](const glm::vec3& normal) { return normal == glm::vec3(0.0f); };
@@ -136,13 +131,8 @@ void completeTangents(Document& source, const MaterialChoice& materials, const s
     const auto found = std::find_if(materials.begin(), materials.end(), [](const Material* material) {
         return static_cast<bool>(material->textures[TextureRole::Normal]);
     });
-    if (found == materials.end() || !primitive.tangents.empty())
-        return;
-    const std::vector<glm::vec2> uv = sampledUv(primitive, (*found)->textures[TextureRole::Normal]);
-    if (uv.empty())
-        return source.warn(kLeftOut, where,
-                           "the material has a normal texture, but its UV stream is missing");
-    computeTangents(primitive, uv);
+    if (found != materials.end() && !fillTangents(primitive, (*found)->textures[TextureRole::Normal]))
+        source.warn(kLeftOut, where, "the material has a normal texture, but its UV stream is missing");
 }
 
 int materialOf(const tinygltf::Primitive& from, Scene& scene, std::size_t fileMaterials) {
@@ -223,8 +213,7 @@ bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string
         computeFlatNormals(primitive);
     normalize(source, where, primitive);
     completeTangents(source, materials, where, primitive);
-    for (const glm::vec3& position : primitive.positions)
-        primitive.bounds.add(position);
+    primitive.bounds = boundsOf(primitive.positions);
     return true;
 }
 

@@ -3,6 +3,7 @@
 
 #include "franken/scene_check.h"
 #include "franken/tangents.h"
+#include "mesh/vertices.h"
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -56,12 +57,6 @@ std::vector<const Primitive*> giveAnyNormals(Scene& scene) {
     return given;
 }
 
-// In double, where no square of a float under- or overflows.
-void makeUnit(std::vector<glm::vec3>& normals) {
-    for (glm::vec3& normal : normals)
-        normal = glm::vec3(glm::normalize(glm::dvec3(normal)));
-}
-
 void turnToNormals(Primitive& primitive) {
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         std::uint32_t* const corner = primitive.indices.data() + i;
@@ -73,14 +68,6 @@ void turnToNormals(Primitive& primitive) {
         if (std::all_of(corner, corner + 3, isBehind))
             std::swap(corner[1], corner[2]);
     }
-}
-
-void giveTangents(Primitive& primitive, const Material& material) {
-    if (!material.textures[TextureRole::Normal] || !primitive.tangents.empty())
-        return;
-    if (const std::vector<glm::vec2> uv = sampledUv(primitive, material.textures[TextureRole::Normal]);
-        !uv.empty())
-        computeTangents(primitive, uv);
 }
 
 } // namespace
@@ -96,13 +83,13 @@ Result<Scene> complete(Scene scene) {
             std::find(withoutNormals.begin(), withoutNormals.end(), &primitive) != withoutNormals.end();
         if (flat)
             computeFlatNormals(primitive);
-        else
-            makeUnit(primitive.normals);
+        for (glm::vec3& normal : primitive.normals)
+            normal = unitOr(normal, normal); // check() has seen that each has a length.
         turnToNormals(primitive);
-        giveTangents(primitive, scene.materials[static_cast<std::size_t>(primitive.material)]);
-        primitive.bounds = {};
-        for (const glm::vec3& position : primitive.positions)
-            primitive.bounds.add(position);
+        const Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
+        if (const TextureRef& normalTexture = material.textures[TextureRole::Normal])
+            fillTangents(primitive, normalTexture);
+        primitive.bounds = boundsOf(primitive.positions);
     });
     for (Instance& instance : scene.instances)
         instance.mirrored = glm::determinant(glm::dmat3(instance.world)) < 0;

@@ -2,6 +2,7 @@
 #include "franken/displacement.h"
 
 #include "franken/tangents.h"
+#include "mesh/vertices.h"
 
 #include <glm/geometric.hpp>
 
@@ -144,9 +145,7 @@ Result<void> displace(Primitive& primitive, const HeightMap& map, std::span<cons
     computeNormals(primitive, groups);
     if (!primitive.tangents.empty())
         computeTangents(primitive, tangentUv);
-    primitive.bounds = {};
-    for (const glm::vec3& position : primitive.positions)
-        primitive.bounds.add(position);
+    primitive.bounds = boundsOf(primitive.positions);
     return {};
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/complete.h"
 
+#include "mesh/vertices.h"
+
 #include <glm/common.hpp>
 #include <glm/gtc/constants.hpp>
 
@@ -26,8 +28,7 @@ void addFace(Primitive& primitive, const glm::vec3& out, const glm::vec3& right,
 }
 
 Primitive bounded(Primitive primitive) {
-    for (const glm::vec3& position : primitive.positions)
-        primitive.bounds.add(position);
+    primitive.bounds = boundsOf(primitive.positions);
     return primitive;
 }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/scene.h"
+
+/// What loading a file and completing a scene made by code both fill in.
+namespace franken {
+
+Box boundsOf(const std::vector<glm::vec3>& positions);
+
+/// The vector in length 1, or `otherwise` where it has no length.
+glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise);
+
+/// Tangents for that normal texture, where there are none. False where the texture's coordinates are missing.
+bool fillTangents(Primitive& primitive, const TextureRef& normalTexture);
+
+} // namespace franken
