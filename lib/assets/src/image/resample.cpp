@@ -2,6 +2,7 @@
 #include "franken/resample.h"
 
 #include "image/srgb_tables.h"
+#include "wrapped.h"
 
 #include <glm/geometric.hpp>
 
@@ -16,19 +17,6 @@ struct Tap {
     int pixel;
     float weight;
 };
-
-int wrapped(int pixel, int size, Wrap wrap) {
-    const auto modulo = [pixel](int period) { return (pixel % period + period) % period; };
-    switch (wrap) {
-    case Wrap::Repeat:
-        return modulo(size);
-    case Wrap::MirroredRepeat:
-        return std::min(modulo(2 * size), 2 * size - 1 - modulo(2 * size));
-    case Wrap::ClampToEdge:
-        break;
-    }
-    return std::clamp(pixel, 0, size - 1);
-}
 
 std::vector<Tap> tapsOf(int out, int sizeOut, int sizeIn, Wrap wrap) {
     const double scale = static_cast<double>(sizeIn) / sizeOut;

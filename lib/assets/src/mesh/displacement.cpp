@@ -3,6 +3,7 @@
 
 #include "franken/tangents.h"
 #include "mesh/vertices.h"
+#include "wrapped.h"
 
 #include <glm/geometric.hpp>
 
@@ -14,20 +15,6 @@
 
 namespace franken {
 namespace {
-
-int wrapped(int texel, int size, Wrap wrap) {
-    switch (wrap) {
-    case Wrap::ClampToEdge:
-        return std::clamp(texel, 0, size - 1);
-    case Wrap::Repeat:
-        return (texel % size + size) % size;
-    case Wrap::MirroredRepeat: {
-        const int twice = (texel % (2 * size) + 2 * size) % (2 * size);
-        return twice < size ? twice : 2 * size - 1 - twice;
-    }
-    }
-    return 0;
-}
 
 /// Which texels lie around a coordinate, and how much of the second is taken.
 struct Taps {
