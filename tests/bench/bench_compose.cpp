@@ -66,14 +66,6 @@ bool sameBytes() {
 } // namespace
 
 int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (!sameBytes()) {
-        std::fprintf(stderr, "the two composers write different texts: the comparison means nothing\n");
-        return 1;
-    }
-    bench::RatioReporter reporter;
-    benchmark::RunSpecifiedBenchmarks(&reporter);
-    reporter.printRatio("composeTypical", "replaceTypical");
-    reporter.printRatio("composeTypical", "copyText");
-    return 0;
+    return bench::runWithRatios(argc, argv, sameBytes(),
+                                {{"composeTypical", "replaceTypical"}, {"composeTypical", "copyText"}});
 }

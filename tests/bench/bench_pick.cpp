@@ -73,15 +73,7 @@ bool sameHits() {
 } // namespace
 
 int main(int argc, char** argv) {
-    benchmark::Initialize(&argc, argv);
-    if (!sameHits()) {
-        std::fprintf(stderr, "the two find different triangles: the comparison means nothing\n");
-        return 1;
-    }
-    bench::RatioReporter reporter;
-    benchmark::RunSpecifiedBenchmarks(&reporter);
     std::printf("%zu triangles\n", tree().counts().triangles);
-    reporter.printRatio("withTree", "testingAll");
-    reporter.printRatio("makingATree", "testingAll");
-    return 0;
+    return bench::runWithRatios(argc, argv, sameHits(),
+                                {{"withTree", "testingAll"}, {"makingATree", "testingAll"}});
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <initializer_list>
 #include <map>
 #include <string>
 
@@ -33,5 +34,25 @@ public:
 private:
     std::map<std::string, double> m_times;
 };
+
+struct Ratio {
+    const char* one;
+    const char* other;
+};
+
+/// Runs the registered benchmarks and prints ratios of them. `sameResult` says that they do the same: where
+/// they do not, nothing is measured. The exit code of the program.
+inline int runWithRatios(int argc, char** argv, bool sameResult, std::initializer_list<Ratio> ratios) {
+    benchmark::Initialize(&argc, argv);
+    if (!sameResult) {
+        std::fprintf(stderr, "the results differ: the comparison means nothing\n");
+        return 1;
+    }
+    RatioReporter reporter;
+    benchmark::RunSpecifiedBenchmarks(&reporter);
+    for (const auto& [one, other] : ratios)
+        reporter.printRatio(one, other);
+    return 0;
+}
 
 } // namespace franken::bench
