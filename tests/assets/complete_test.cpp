@@ -81,6 +81,9 @@ TEST(Complete, ComputesTangentsForANormalTextureAlone) {
     ASSERT_TRUE(done);
     for (const glm::vec4& tangent : done->meshes[0].primitives[0].tangents)
         EXPECT_EQ(tangent, glm::vec4(1, 0, 0, 1));
+    scene.meshes[0].primitives[0].tangents.assign(4, {0, 1, 0, -1});
+    EXPECT_EQ(complete(scene)->meshes[0].primitives[0].tangents, std::vector(4, glm::vec4(0, 1, 0, -1)))
+        << "those that are there stay";
     EXPECT_EQ(done->materials.size(), 2u);
     scene.meshes[0].primitives[0].material = kNone;
     EXPECT_EQ(complete(scene)->meshes[0].primitives[0].material, 2);

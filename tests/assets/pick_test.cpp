@@ -247,6 +247,21 @@ TEST(Pick, TakesAnyLengthOfADirection) {
     }
 }
 
+TEST(Pick, MeetsTheEdgeOfABoxAlongEitherZero) {
+    const PickTree tree = treeOf(oneSquare());
+    for (const double zero : {0.0, -0.0})
+        EXPECT_TRUE(hitOf(tree, {.origin = {-1, 0, 3}, .direction = {zero, zero, -1}})) << zero;
+}
+
+TEST(Pick, GoesByWhatAnInstanceSaysOfItself) {
+    Scene scene = oneSquare();
+    scene.instances[0].mirrored = true;
+    EXPECT_FALSE(hitOf(treeOf(scene), {.origin = {0, 0, 3}}));
+    EXPECT_TRUE(hitOf(treeOf(scene), {.origin = {0, 0, -3}, .direction = {0, 0, 1}}));
+    scene.instances[0].visible = false;
+    EXPECT_FALSE(hitOf(treeOf(scene), {.origin = {0, 0, -3}, .direction = {0, 0, 1}}));
+}
+
 TEST(Pick, FindsNothingWhereThereIsNothing) {
     EXPECT_FALSE(hitOf(treeOf({}), {.origin = {0, 0, 3}}));
     EXPECT_EQ(treeOf({}).counts(), PickTree::Counts());

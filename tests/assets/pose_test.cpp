@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include <glm/geometric.hpp>
+
 #include "franken/pose.h"
 #include "franken/scene_check.h"
 #include "gltf_file.h"
@@ -57,6 +59,32 @@ TEST(Sample, HasAKeysOwnValueOnTheKey) {
     EXPECT_EQ(translationAt(scene, 0.7).x, 2);
 }
 
+TEST(Sample, BetweenKeysAKeyIsMetToTheFloat) {
+    const Scene scene = animated("translation", "VEC3", {0, 0.7f, 2}, {0, 0, 0, 1, 0, 0, 2, 0, 0}).loaded();
+    EXPECT_EQ(translationAt(scene, 0.7).x, 1); // the double above the float
+}
+
+TEST(Sample, MovesWeightsAndHides) {
+    GltfFile file = animated("weights", "SCALAR", {0, 1}, {0, 1});
+    file.json["meshes"][0]["primitives"][0]["targets"] = {
+        {{"POSITION", file.floats("VEC3", {1, 0, 0, 1, 0, 0, 1, 0, 0})}}};
+    Pose pose;
+    ASSERT_TRUE(sample(file.loaded(), 0, 0.25, pose));
+    EXPECT_EQ(pose.nodes.at(0).weights, std::vector<float>{0.25f});
+
+    GltfFile hiding = animated("pointer", "SCALAR", {0, 1}, {1, 0}, "STEP");
+    hiding.json["animations"][0]["channels"][0]["target"] = {
+        {"path", "pointer"},
+        {"extensions",
+         {{"KHR_animation_pointer", {{"pointer", "/nodes/0/extensions/KHR_node_visibility/visible"}}}}}};
+    const Scene scene = hiding.loaded();
+    pose = {};
+    ASSERT_TRUE(sample(scene, 0, 1, pose));
+    EXPECT_FALSE(pose.nodes.at(0).visible);
+    ASSERT_TRUE(sample(scene, 0, 0.5, pose));
+    EXPECT_TRUE(pose.nodes.at(0).visible);
+}
+
 TEST(Sample, SplinesUseBothTangents) {
     // In-tangent, value, out-tangent of two keys, 2 s apart.
     const Scene scene = animated("translation", "VEC3", {0, 2},
@@ -91,6 +119,26 @@ TEST(Mix, LiesBetween) {
     ASSERT_TRUE(mix(a, b, 0.25, a));
     EXPECT_EQ(a.nodes[0].local.translation.x, 1);
     EXPECT_EQ(mix(a, Pose{}, 0.5, b).error().code, "pose.nodes");
+}
+
+TEST(Mix, MixesWeightsAndTakesTheNearersVisibility) {
+    const Pose a{{{.visible = true, .weights = {1}}}}, b{{{.visible = false, .weights = {3}}}};
+    Pose out;
+    ASSERT_TRUE(mix(a, b, 0.25, out));
+    EXPECT_TRUE(out.nodes.at(0).visible);
+    EXPECT_EQ(out.nodes.at(0).weights, std::vector<float>{1.5f});
+    ASSERT_TRUE(mix(a, b, 0.75, out));
+    EXPECT_FALSE(out.nodes.at(0).visible);
+}
+
+TEST(Pose, PlacesAnInstanceWithItsOffset) {
+    Scene scene = animated("translation", "VEC3", {0}, {0, 0, 0}).loaded();
+    scene.instances.at(0).offset[3].x = 2;
+    Pose pose = restPose(scene);
+    pose.nodes.at(0).local = {.translation = {5, 0, 0}, .scale = {-1, 1, 1}};
+    ASSERT_TRUE(applyPose(scene, pose));
+    EXPECT_EQ(scene.instances[0].world[3].x, 3);
+    EXPECT_TRUE(scene.instances[0].mirrored);
 }
 
 TEST(Pose, MovesWhatHangsBelowAndHidesIt) {
@@ -177,6 +225,31 @@ TEST(GltfAnimation, FaultsCostTheAnimationAlone) {
         EXPECT_TRUE(scene.animations.empty());
         EXPECT_TRUE(isWarned(file, "gltf.unneeded"));
     }
+}
+
+TEST(GltfAnimation, TwoChannelsThatMoveTheSameCostIt) {
+    GltfFile file = animated("translation", "VEC3", {0}, {0, 0, 0});
+    Json& channels = file.json["animations"][0]["channels"];
+    channels.push_back(Json(channels[0]));
+    EXPECT_TRUE(file.loaded().animations.empty());
+    EXPECT_TRUE(isWarned(file, "move the same"));
+}
+
+TEST(GltfAnimation, MatricesMoveUnlessTheyShear) {
+    GltfFile file = animated("translation", "VEC3", {0}, {7, 0, 0});
+    file.json["nodes"][0]["matrix"] = {0, 0, 2, 0, 0, 3, 0, 0, 4, 0, 0, 0, 5, 6, 7, 1}; // mirrored
+    const Scene turned = file.loaded();
+    EXPECT_FALSE(turned.nodes.at(0).matrix);
+    const glm::dmat4 matrix = matrixOf(turned.nodes[0].rest.local);
+    for (int column = 0; column < 4; ++column)
+        EXPECT_LT(glm::distance(matrix[column], turned.instances.at(0).world[column]), 1e-12) << column;
+    EXPECT_EQ(turned.animations.at(0).channels.size(), 1u);
+
+    file.json["nodes"][0]["matrix"] = {1, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const Scene sheared = file.loaded();
+    EXPECT_TRUE(sheared.nodes.at(0).matrix);
+    EXPECT_TRUE(sheared.animations.at(0).channels.empty());
+    EXPECT_TRUE(isWarned(file, "shears"));
 }
 
 TEST(GltfAnimation, IndicesThatPointAtNothingAreRefused) {
