@@ -250,7 +250,8 @@ TEST(Pick, TakesAnyLengthOfADirection) {
 TEST(Pick, MeetsTheEdgeOfABoxAlongEitherZero) {
     const PickTree tree = treeOf(oneSquare());
     for (const double zero : {0.0, -0.0})
-        EXPECT_TRUE(hitOf(tree, {.origin = {-1, 0, 3}, .direction = {zero, zero, -1}})) << zero;
+        for (const glm::dvec3& origin : {glm::dvec3(-1, 0, 3), glm::dvec3(0, -1, 3)})
+            EXPECT_TRUE(hitOf(tree, {.origin = origin, .direction = {zero, zero, -1}})) << zero;
 }
 
 TEST(Pick, GoesByWhatAnInstanceSaysOfItself) {
