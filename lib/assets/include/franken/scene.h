@@ -97,15 +97,16 @@ struct Box {
 /// array but `indices` is either empty (the attribute is absent) or as long as `positions`.
 struct Primitive {
     std::vector<glm::vec3> positions;
-    std::vector<glm::vec3>
-        normals; ///< Unit length; never absent after loading (flat where the file has none).
-    std::vector<glm::vec4> tangents; ///< Unit xyz; w = +-1, and B = cross(N, T.xyz) * w. Present where the
-                                     ///< material has a normal texture and its UV stream exists.
-    std::vector<glm::vec2> uv[2];    ///< TEXCOORD_0 and TEXCOORD_1; v grows downwards.
-    std::vector<glm::vec4> colors;   ///< COLOR_0, linear RGBA; multiplies the base colour.
+    /// Unit length; never absent after loading (flat where the file has none).
+    std::vector<glm::vec3> normals;
+    /// Unit xyz; w = +-1, and B = cross(N, T.xyz) * w. Present where the material has a normal texture and
+    /// its UV stream exists.
+    std::vector<glm::vec4> tangents;
+    std::vector<glm::vec2> uv[2];  ///< TEXCOORD_0 and TEXCOORD_1; v grows downwards.
+    std::vector<glm::vec4> colors; ///< COLOR_0, linear RGBA; multiplies the base colour.
 
-    std::vector<std::uint32_t>
-        indices;      ///< Triangle list, counter-clockwise in front; each < positions.size().
+    /// Triangle list, counter-clockwise in front; each < positions.size().
+    std::vector<std::uint32_t> indices;
     int material = 0; ///< Index into Scene::materials; always valid.
     /// Index into Scene::materials for each of Scene::variants; kNone, or beyond the end: `material` in that
     /// variant as well.
@@ -161,9 +162,9 @@ struct Light {
     float innerConeAngle = 0.0f;      ///< Spot: radians from the axis, 0 <= inner < outer.
     float outerConeAngle = 0.785398f; ///< Spot: radians from the axis, <= pi/2.
     glm::dvec3 position{0.0};         ///< World; point and spot.
-    glm::vec3 direction{0.0f, 0.0f,
-                        -1.0f}; ///< World, unit length, where the light travels; directional and spot.
-    int nodeIndex = kNone;      ///< Index into Scene::nodes; kNone for one that no pose moves.
+    /// World, unit length, where the light travels; directional and spot.
+    glm::vec3 direction{0.0f, 0.0f, -1.0f};
+    int nodeIndex = kNone; ///< Index into Scene::nodes; kNone for one that no pose moves.
 };
 
 /// Everything that one file draws.

@@ -11,18 +11,14 @@
 namespace franken {
 namespace gltf {
 
-namespace {
-
-constexpr std::size_t kMaxParserBytes = 0xFFFFFFFF; ///< tinygltf counts in 32 bits.
-
-} // namespace
-
 bool Document::uses(std::string_view extension) const {
     return std::find(model.extensionsUsed.begin(), model.extensionsUsed.end(), extension) !=
            model.extensionsUsed.end();
 }
 
 namespace {
+
+constexpr std::size_t kMaxParserBytes = 0xFFFFFFFF; ///< tinygltf counts in 32 bits.
 
 bool load(Document& source, const std::filesystem::path* folder, Scene& scene) {
     Json root;

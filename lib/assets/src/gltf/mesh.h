@@ -13,8 +13,8 @@ namespace franken::gltf {
 struct Pose {
     std::vector<double> weights;
     std::vector<glm::mat4> joints; ///< jointWorld * inverseBindMatrix; empty without a skin.
-    bool mirrored =
-        false; ///< Of a skin: the node's determinant is negative, so that front faces wind clockwise.
+    /// Of a skin: the node's determinant is negative, so that front faces wind clockwise.
+    bool mirrored = false;
 };
 
 /// The file's mesh in the given pose. Its primitives' materials are indices into scene.materials, to which a

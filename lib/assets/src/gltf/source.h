@@ -61,8 +61,8 @@ struct Source {
     std::vector<std::size_t> strides;         ///< By buffer view, as the file has them; 0: packed.
     std::size_t charged = 0;                  ///< Bytes, of LoadOptions::maxMemoryBytes.
     std::optional<Error> error;
-    std::map<std::string, Error>
-        faults; ///< By element ("/cameras/1"): what is wrong with it, if it is needed.
+    /// By element ("/cameras/1"): what is wrong with it, if it is needed.
+    std::map<std::string, Error> faults;
     std::set<std::string> warned;
 
     /// Records an error at the JSON path `where`; false, to be returned.
