@@ -80,7 +80,7 @@ TEST(Exceptions, OfSourcesAreErrors) {
     stage.renderer.memory().setBudget(0);
     EXPECT_TRUE(stage.renderer.memory().evictAll());
     stage.renderer.memory().setBudget(GpuMemory::kUnlimited);
-    const Result<void> shown = stage.renderer.show({{*model}});
+    const Result<void> shown = stage.renderer.show({{*model}}, Wait::Yes);
     ASSERT_FALSE(shown);
     EXPECT_EQ(shown.error().code, "renderer.exception");
     EXPECT_NE(shown.error().what.find("of the application"), std::string::npos);

@@ -20,7 +20,7 @@ protected:
         lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 3}};
         renderer.setLighting(lighting);
         const Result<ModelId> model = renderer.add(scene, std::move(source));
-        EXPECT_TRUE(model && renderer.show({{*model}}));
+        EXPECT_TRUE(model && renderer.show({{*model}}, Wait::Yes));
         return *model;
     }
 };

@@ -64,7 +64,7 @@ struct Changing {
         renderer.setLook({.effect = *snippets.chooseEffect("tint")});
         model = *renderer.add(scene, [] { return Result<Scene>(balls()); });
         places = {*renderer.firstPlace(model), *renderer.addPlace(model), *renderer.addPlace(model)};
-        EXPECT_TRUE(renderer.show({{model}}));
+        EXPECT_TRUE(renderer.show({{model}}, Wait::Yes));
         material = *renderer.materialOf(model, 0);
     }
 
@@ -135,7 +135,7 @@ void churn(Renderer& renderer, const Scene& scene, int round) {
     const Result<ModelId> model = renderer.add(scene, [&] { return Result<Scene>(scene); });
     ASSERT_TRUE(model);
     const Result<PlaceId> place = renderer.addPlace(*model, glm::translate(glm::dmat4(1), {1, 0, 0}));
-    ASSERT_TRUE(place && renderer.show({{*model}}) && renderer.setVariant(*place, "night"));
+    ASSERT_TRUE(place && renderer.show({{*model}}, Wait::Yes) && renderer.setVariant(*place, "night"));
     ASSERT_TRUE(renderer.setTexture(*model, 0, checkers(8, 2, glm::vec4(1), glm::vec4(0))));
     ASSERT_TRUE(renderer.setMaterial(*model, 1, *renderer.materialOf(*model, 1)));
     if (round % 100 == 0) {

@@ -41,7 +41,7 @@ std::vector<std::string> runOn(const Gl& gl) {
     const Result<ModelId> second = renderer.add(ball());
     note(second);
     if (second)
-        note(renderer.show({{*second}}));
+        note(renderer.show({{*second}}, Wait::Yes));
     note(renderer.draw({}, kTarget));
     // The next context is sound.
     const Gl sound = nullGl();
@@ -107,7 +107,7 @@ TEST(MemoryOfTheGpu, IsFreedAndAskedForOnceMore) {
     EXPECT_EQ(renderer.add(ball(), source).error().code, "renderer.memory");
     EXPECT_EQ(renderer.memory().evictions(), 1u) << "the hidden model";
     refusals = 0;
-    ASSERT_TRUE(renderer.show({{*hidden}}));
+    ASSERT_TRUE(renderer.show({{*hidden}}, Wait::Yes));
     EXPECT_TRUE(renderer.draw({}, kTarget));
 }
 

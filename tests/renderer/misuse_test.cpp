@@ -193,13 +193,13 @@ const std::vector<Misuse> kPictures = {
      [](Stage& stage) {
          Stage other;
          const Result<ModelId> id = other.renderer.add(ball());
-         return stage.renderer.show({{*id}});
+         return stage.renderer.show({{*id}}, Wait::Yes);
      }},
     {"ModelAfterRemove", "renderer.model",
      [](Stage& stage) {
          const Result<ModelId> id = stage.renderer.add(ball());
          stage.renderer.remove(*id);
-         return stage.renderer.show({{*id}});
+         return stage.renderer.show({{*id}}, Wait::Yes);
      }},
     {"SkyboxWithoutFaces", "renderer.image",
      [](Stage& stage) {

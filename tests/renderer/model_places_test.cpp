@@ -89,7 +89,7 @@ TEST_P(PlacesTest, APlaceIsDrawnAsASceneThatStandsThere) {
         ASSERT_TRUE(renderer.load(flag()));
         const Result<ModelId> model = renderer.add(flag());
         ASSERT_TRUE(model);
-        ASSERT_TRUE(renderer.show({{*model}}));
+        ASSERT_TRUE(renderer.show({{*model}}, Wait::Yes));
         ASSERT_TRUE(renderer.setWorld(*renderer.firstPlace(*model), world));
         const Picture picture = drawn(expected, camera());
         EXPECT_LE(compareLit(drawn(renderer, camera()), picture).max(), 1) << "matrices are rounded once";
@@ -164,7 +164,7 @@ TEST_P(PlacesTest, PlacesShareBuffersTexturesAndPrograms) {
     renderer.setLighting(sunny());
     const Result<ModelId> model = renderer.add(flag());
     ASSERT_TRUE(model);
-    ASSERT_TRUE(renderer.show({{*model}}));
+    ASSERT_TRUE(renderer.show({{*model}}, Wait::Yes));
     drawn(renderer, camera());
     const std::size_t bytes = renderer.memory().used();
     const unsigned compiles = renderer.programCounters().compiles;
@@ -184,7 +184,7 @@ TEST_P(PlacesTest, PlacesMoveHideAndGoWithoutOthers) {
     renderer.setLighting(sunny());
     const Result<ModelId> model = renderer.add(flag());
     ASSERT_TRUE(model);
-    ASSERT_TRUE(renderer.show({{*model}}));
+    ASSERT_TRUE(renderer.show({{*model}}, Wait::Yes));
     const Picture one = drawn(renderer, camera());
     const Result<PlaceId> second = renderer.addPlace(*model, at(1.5, 0, 0));
     ASSERT_TRUE(second);
@@ -214,7 +214,7 @@ TEST_P(PlacesTest, WhatIsWrongIsRefusedAndChangesNothing) {
     ASSERT_TRUE(model && gone);
     const PlaceId place = *renderer.firstPlace(*model), gonePlace = *renderer.firstPlace(*gone);
     renderer.remove(*gone);
-    ASSERT_TRUE(renderer.show({{*model}}));
+    ASSERT_TRUE(renderer.show({{*model}}, Wait::Yes));
     const Picture before = drawn(renderer, camera());
     glm::dmat4 broken(1.0), projection(1.0);
     broken[2][1] = std::numeric_limits<double>::quiet_NaN();
@@ -251,7 +251,7 @@ TEST_P(PlacesTest, VariantsAreChosenByModelAndByPlace) {
     renderer.setLighting(sunny());
     const Result<ModelId> model = renderer.add(lamp());
     ASSERT_TRUE(model);
-    ASSERT_TRUE(renderer.show({{*model}}));
+    ASSERT_TRUE(renderer.show({{*model}}, Wait::Yes));
     EXPECT_EQ(renderer.namesOf(*model)->variants, (std::vector<std::string>{"day", "night"}));
     const Picture day = drawn(renderer, camera());
     ASSERT_TRUE(renderer.setVariant(*model, "night"));
@@ -280,7 +280,7 @@ TEST_P(PlacesTest, AVariantsProgramsAreKnownBeforehand) {
     EXPECT_EQ(all->size(), 2u);
     ASSERT_TRUE(renderer.load(scene));
     const Result<ModelId> model = renderer.add(scene);
-    ASSERT_TRUE(model && renderer.show({{*model}}));
+    ASSERT_TRUE(model && renderer.show({{*model}}, Wait::Yes));
     drawn(renderer, camera());
     EXPECT_EQ(renderer.takeMisses().size(), 1u) << "variants that are not chosen compile nothing";
     ASSERT_TRUE(renderer.setVariant(*model, "night"));
@@ -291,7 +291,7 @@ TEST_P(PlacesTest, AVariantsProgramsAreKnownBeforehand) {
     warm.setLighting(sunny());
     ASSERT_TRUE(warm.warmUp(target(), *all));
     const Result<ModelId> other = warm.add(scene);
-    ASSERT_TRUE(other && warm.show({{*other}}));
+    ASSERT_TRUE(other && warm.show({{*other}}, Wait::Yes));
     ASSERT_TRUE(warm.setVariant(*other, "night"));
     drawn(warm, camera());
     EXPECT_TRUE(warm.takeMisses().empty());

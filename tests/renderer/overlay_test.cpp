@@ -237,8 +237,8 @@ TEST_P(OverlayBudgetTest, ModelsAndPicturesMakeRoomForEachOther) {
     const SceneSource source = [&] { return Result<Scene>(tiled); };
     const Result<ModelId> shown = renderer.add(tiled, source), hidden = renderer.add(tiled, source);
     ASSERT_TRUE(shown && hidden);
-    ASSERT_TRUE(renderer.show({{*hidden}}));
-    ASSERT_TRUE(renderer.show({{*shown}}));
+    ASSERT_TRUE(renderer.show({{*hidden}}, Wait::Yes));
+    ASSERT_TRUE(renderer.show({{*shown}}, Wait::Yes));
     const std::size_t modelBytes = renderer.memory().used() / 2;
     const PictureId one = add(renderer, 50);
     EXPECT_EQ(codeOf(renderer, one), 50);
@@ -247,7 +247,7 @@ TEST_P(OverlayBudgetTest, ModelsAndPicturesMakeRoomForEachOther) {
     EXPECT_EQ(renderer.memory().used(), modelBytes + 2 * kPictureBytes) << "the model was shown before";
     EXPECT_EQ(codeOf(renderer, two), 100);
     EXPECT_TRUE(m_reads.empty());
-    ASSERT_TRUE(renderer.show({{*shown, *hidden}})) << "the first picture makes room";
+    ASSERT_TRUE(renderer.show({{*shown, *hidden}}, Wait::Yes)) << "the first picture makes room";
     EXPECT_EQ(renderer.memory().used(), 2 * modelBytes + kPictureBytes);
     EXPECT_EQ(codeOf(renderer, two), 100);
     EXPECT_TRUE(m_reads.empty());

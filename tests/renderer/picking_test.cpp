@@ -50,7 +50,7 @@ struct Shown {
         const Scene scene = objects();
         model = *renderer.add(scene);
         EXPECT_TRUE(renderer.setPickTree(model, *PickTree::of(scene)));
-        EXPECT_TRUE(renderer.show({{model}}));
+        EXPECT_TRUE(renderer.show({{model}}, Wait::Yes));
         const glm::dmat4 unit(1);
         places = {*renderer.firstPlace(model),
                   *renderer.addPlace(model, glm::translate(unit, {1.2, 0.4, -1.5}) *

@@ -75,16 +75,16 @@ TEST_P(ResidencyTest, DrawPicksAmongModels) {
 
     const Result<ModelId> first = renderer.add(red()), second = renderer.add(green());
     ASSERT_TRUE(first && second);
-    ASSERT_TRUE(renderer.show({{*first}}));
+    ASSERT_TRUE(renderer.show({{*first}}, Wait::Yes));
     EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0);
-    ASSERT_TRUE(renderer.show({{*second}}));
+    ASSERT_TRUE(renderer.show({{*second}}, Wait::Yes));
     EXPECT_EQ(compareLit(drawn(renderer), greenAlone).max(), 0);
-    ASSERT_TRUE(renderer.show({{*first, *second, *first}}));
+    ASSERT_TRUE(renderer.show({{*first, *second, *first}}, Wait::Yes));
     EXPECT_EQ(compareLit(drawn(renderer), greenAlone).max(), 0) << "equal depth: the later one is seen";
     EXPECT_EQ(renderer.frameCounters().drawn, 2u);
     renderer.remove(*second);
     EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0);
-    const Result<void> unknown = renderer.show({{*second}});
+    const Result<void> unknown = renderer.show({{*second}}, Wait::Yes);
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().code, "renderer.model");
     EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0) << "what was shown stays";
@@ -97,9 +97,9 @@ TEST_P(ResidencyTest, WhatIsNotShownMakesRoomAndComesBack) {
     const Result<ModelId> first = renderer.add(red(), kRedSource);
     const Result<ModelId> second = renderer.add(green(), kGreenSource);
     ASSERT_TRUE(first && second);
-    ASSERT_TRUE(renderer.show({{*second}}));
+    ASSERT_TRUE(renderer.show({{*second}}, Wait::Yes));
     const Picture greenAlone = drawn(renderer);
-    ASSERT_TRUE(renderer.show({{*first}}));
+    ASSERT_TRUE(renderer.show({{*first}}, Wait::Yes));
     const Picture redAlone = drawn(renderer);
     EXPECT_EQ(renderer.memory().evictions(), 0u);
 
@@ -108,7 +108,7 @@ TEST_P(ResidencyTest, WhatIsNotShownMakesRoomAndComesBack) {
     EXPECT_EQ(renderer.memory().evictions(), 1u);
     EXPECT_EQ(renderer.memory().used(), 2 * kBallBytes);
     EXPECT_EQ(compareLit(drawn(renderer), redAlone).max(), 0);
-    ASSERT_TRUE(renderer.show({{*second}}));
+    ASSERT_TRUE(renderer.show({{*second}}, Wait::Yes));
     EXPECT_EQ(compareLit(drawn(renderer), greenAlone).max(), 0);
     EXPECT_EQ(reads, 1);
     EXPECT_LE(renderer.memory().used(), renderer.memory().budget());
@@ -124,13 +124,13 @@ TEST_P(ResidencyTest, TheModelShownLongestAgoMakesRoom) {
     for (std::size_t i = 0; i < 3; ++i)
         ids.push_back(*renderer.add(red(), source(i)));
     for (const std::size_t shown : {0u, 1u, 2u, 0u}) // The second one is the oldest then.
-        ASSERT_TRUE(renderer.show({{ids[shown]}}));
+        ASSERT_TRUE(renderer.show({{ids[shown]}}, Wait::Yes));
     ids.push_back(*renderer.add(red(), source(3)));
     EXPECT_EQ(renderer.memory().evictions(), 1u);
     for (const std::size_t shown : {0u, 2u, 3u})
-        ASSERT_TRUE(renderer.show({{ids[shown]}}));
+        ASSERT_TRUE(renderer.show({{ids[shown]}}, Wait::Yes));
     EXPECT_EQ(readsOf, (std::vector<int>{0, 0, 0, 0})) << "these are there";
-    ASSERT_TRUE(renderer.show({{ids[1]}}));
+    ASSERT_TRUE(renderer.show({{ids[1]}}, Wait::Yes));
     EXPECT_EQ(readsOf[1], 1);
 }
 
@@ -199,7 +199,7 @@ TEST_P(ResidencyTest, ALostContextIsRebuiltFromItsSources) {
     EXPECT_EQ(reads, 1) << "what is not shown is read when it is";
     EXPECT_EQ(compareLit(drawn(renderer), before).max(), 0);
     EXPECT_EQ(renderer.memory().used(), bytes - kBallBytes);
-    ASSERT_TRUE(renderer.show({{*second}}));
+    ASSERT_TRUE(renderer.show({{*second}}, Wait::Yes));
     const Picture other = drawn(renderer);
     EXPECT_GT(compareLit(other, before).max(), 0);
 
@@ -217,9 +217,9 @@ TEST_P(ResidencyTest, WhatCannotBeRebuiltIsAnErrorAndTheRestIs) {
     const Result<ModelId> kept = renderer.add(red(), kRedSource);
     const Result<ModelId> gone = renderer.add(green());
     ASSERT_TRUE(kept && gone);
-    ASSERT_TRUE(renderer.show({{*kept}}));
+    ASSERT_TRUE(renderer.show({{*kept}}, Wait::Yes));
     const Picture before = drawn(renderer);
-    ASSERT_TRUE(renderer.show({{*kept, *gone}}));
+    ASSERT_TRUE(renderer.show({{*kept, *gone}}, Wait::Yes));
     renderer.contextLost();
     replaceContext({64, 64});
     EXPECT_EQ(renderer.restore(gl()).error().code, "renderer.no-source");

@@ -83,7 +83,7 @@ public:
         const int number = counts.frames++;
         if (number % kSwapFrames == 0) {
             m_shown = static_cast<std::size_t>(counts.swaps++) % m_models.size();
-            require("show", m_renderer.show({{m_models[m_shown]}}));
+            require("show", m_renderer.show({{m_models[m_shown]}}, Wait::Yes));
         }
         if (number % kSkyFrames == 0)
             changeSky(number / kSkyFrames % 2 == 0);

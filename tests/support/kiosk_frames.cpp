@@ -128,7 +128,7 @@ Result<void> KioskFrames::draw(Renderer& renderer, int frame, const std::vector<
     };
     const std::size_t model = turn(7, m_models.size());
     if (frame % 7 == 0)
-        if (Result<void> shown = renderer.show({{m_models[model]}}); !shown)
+        if (Result<void> shown = renderer.show({{m_models[model]}}, Wait::Yes); !shown)
             return shown;
     if (frame % 11 == 0)
         if (Result<void> changed = renderer.setSkybox(turn(11, 2) == 0 ? nullptr : &m_sky); !changed)

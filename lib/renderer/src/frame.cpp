@@ -77,6 +77,18 @@ Result<void> Frame::resolveMaterial(GpuMaterial& material, const DrawTarget* tar
     return {};
 }
 
+bool Frame::makeProgram(GpuScene& scene) {
+    const unsigned before = m_programs.counters().links;
+    m_device.state.invalidate(); // Compiling a program uses it.
+    for (GpuMaterial& material : scene.materials) {
+        if (!material.program)
+            static_cast<void>(resolveMaterial(material, nullptr));
+        if (m_programs.counters().links != before)
+            return true;
+    }
+    return false;
+}
+
 Result<void> Frame::resolveSkybox(const DrawTarget* target) {
     m_skyboxProgram = nullptr;
     return resolve(skyPermutation(m_look), {}, target).transform([this](ProgramHandle program) {

@@ -30,6 +30,10 @@ public:
     /// program are drawn. Returns the first error.
     Result<void> resolvePrograms(const DrawTarget* target);
 
+    /// Makes the next program that the scene needs and that is not there yet; false where there is none left.
+    /// Goes on after an error: draw() tells it.
+    bool makeProgram(GpuScene& scene);
+
     /// With resolved programs.
     void draw(const Viewpoint& viewpoint, const DrawTarget& target);
 

@@ -99,44 +99,85 @@ std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices) {
     return parts;
 }
 
-Result<GpuMesh> GpuMesh::make(Device& device, const Primitive& primitive) {
-    GpuMesh mesh;
-    std::vector<MeshData> parts;
-    parts.push_back(interleave(primitive));
-    mesh.m_format = parts.front().format;
-    if (primitive.positions.size() > kMaxShortVertices && !device.capabilities.wideIndices)
-        parts = split(parts.front(), kMaxShortVertices);
-    for (const MeshData& part : parts)
-        if (Result<void> added = mesh.addPart(device, part); !added)
-            return added.error();
-    return mesh;
+namespace {
+
+template<typename Index>
+std::vector<std::uint8_t> bytesAs(const std::vector<std::uint32_t>& indices) {
+    std::vector<std::uint8_t> bytes(indices.size() * sizeof(Index));
+    std::uint8_t* out = bytes.data();
+    for (const std::uint32_t each : indices) {
+        const auto index = static_cast<Index>(each);
+        std::memcpy(out, &index, sizeof(Index));
+        out += sizeof(Index);
+    }
+    return bytes;
 }
 
-Result<void> GpuMesh::addPart(Device& device, const MeshData& data) {
-    const std::size_t vertexCount = data.vertices.size() / static_cast<std::size_t>(data.format.stride);
-    const bool wide = vertexCount > kMaxShortVertices;
-    const std::size_t indexBytes =
-        data.indices.size() * (wide ? sizeof(std::uint32_t) : sizeof(std::uint16_t));
-    Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Meshes, data.vertices.size() + indexBytes);
-    if (!lease)
-        return lease.error();
-    Result<GlBuffer> vertices =
-        uploadBuffer(device.gl, GL_ARRAY_BUFFER, std::as_bytes(std::span(data.vertices)));
-    if (!vertices)
-        return vertices.error();
-    const std::vector<std::uint16_t> narrow(data.indices.begin(),
-                                            wide ? data.indices.begin() : data.indices.end());
-    Result<GlBuffer> indices =
-        uploadBuffer(device.gl, GL_ELEMENT_ARRAY_BUFFER,
-                     wide ? std::as_bytes(std::span(data.indices)) : std::as_bytes(std::span(narrow)));
-    if (!indices)
-        return indices.error();
-    m_parts.push_back({.vertices = *std::move(vertices),
-                       .indices = *std::move(indices),
-                       .memory = *std::move(lease),
-                       .count = static_cast<GLsizei>(data.indices.size()),
-                       .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT)});
+MeshPart partOf(MeshData data) {
+    const bool wide =
+        data.vertices.size() / static_cast<std::size_t>(data.format.stride) > GpuMesh::kMaxShortVertices;
+    return {.format = data.format,
+            .vertices = std::move(data.vertices),
+            .indices = wide ? bytesAs<std::uint32_t>(data.indices) : bytesAs<std::uint16_t>(data.indices),
+            .count = static_cast<GLsizei>(data.indices.size()),
+            .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT)};
+}
+
+} // namespace
+
+std::vector<MeshPart> partsOf(const Primitive& primitive, const Capabilities& capabilities) {
+    MeshData whole = interleave(primitive);
+    std::vector<MeshPart> parts;
+    if (primitive.positions.size() > GpuMesh::kMaxShortVertices && !capabilities.wideIndices)
+        for (MeshData& part : split(whole, GpuMesh::kMaxShortVertices))
+            parts.push_back(partOf(std::move(part)));
+    else
+        parts.push_back(partOf(std::move(whole)));
+    return parts;
+}
+
+MeshUpload::MeshUpload(std::vector<MeshPart> parts) : m_parts(std::move(parts)) {
+    if (!m_parts.empty())
+        m_mesh.m_format = m_parts.front().format;
+}
+
+Result<void> MeshUpload::beginBuffer(Device& device) {
+    MeshPart& part = m_parts[m_next];
+    if (!m_ofIndices) {
+        Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Meshes, part.bytes());
+        if (!lease)
+            return lease.error();
+        m_mesh.m_parts.push_back({.vertices = {},
+                                  .indices = {},
+                                  .memory = *std::move(lease),
+                                  .count = part.count,
+                                  .indexType = part.indexType});
+    }
+    Result<BufferUpload> begun =
+        BufferUpload::begin(device.gl, m_ofIndices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER,
+                            std::move(m_ofIndices ? part.indices : part.vertices));
+    if (!begun)
+        return begun.error();
+    m_buffer = *std::move(begun);
     return {};
+}
+
+void MeshUpload::endBuffer() {
+    GpuMesh::Part& part = m_mesh.m_parts.back();
+    (m_ofIndices ? part.indices : part.vertices) = m_buffer->take();
+    m_buffer.reset();
+    m_next += m_ofIndices ? 1 : 0;
+    m_ofIndices = !m_ofIndices;
+}
+
+Result<std::size_t> MeshUpload::step(Device& device, std::size_t maxBytes) {
+    if (!m_buffer)
+        if (Result<void> begun = beginBuffer(device); !begun)
+            return begun.error();
+    const std::size_t bytes = m_buffer->step(device.gl, maxBytes);
+    if (m_buffer->isDone())
+        endBuffer();
+    return bytes;
 }
 
 void GpuMesh::setPointers(GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const {

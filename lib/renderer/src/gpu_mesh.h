@@ -3,10 +3,12 @@
 
 #include "franken/gl_state.h"
 #include "franken/scene.h"
+#include "gpu_buffer.h"
 #include "gpu_texture.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace franken {
@@ -31,21 +33,32 @@ MeshData interleave(const Primitive& primitive);
 /// The same triangles in parts of at most `maxVertices` (3 and up) vertices each.
 std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices);
 
-/// A primitive's buffers. Indices are 16 bits wide where that is enough; beyond kMaxShortVertices they are 32
-/// bits wide, or the primitive is split, as the context has it.
+/// What one draw takes, as buffers hold it. Needs no GL.
+struct MeshPart {
+    VertexFormat format;
+    std::vector<std::uint8_t> vertices, indices;
+    GLsizei count = 0;
+    GLenum indexType = GL_UNSIGNED_SHORT;
+
+    std::size_t bytes() const { return vertices.size() + indices.size(); }
+};
+
+/// A primitive as one part, or several. Indices are 16 bits wide where that is enough; beyond
+/// kMaxShortVertices they are 32 bits wide, or the primitive is split, as the context has it.
+std::vector<MeshPart> partsOf(const Primitive& primitive, const Capabilities& capabilities);
+
+/// A primitive's buffers.
 class GpuMesh {
 public:
     /// 16-bit indices up to 65,534: where primitive restart is always on, as in WebGL 2, 65,535 is no vertex.
     static constexpr std::size_t kMaxShortVertices = 65'535;
-
-    /// Fails with "memory.budget" and with "gl.object".
-    static Result<GpuMesh> make(Device& device, const Primitive& primitive);
 
     /// Draws with the program in use, whose attribute arrays (those and no others) are enabled. uvSets: which
     /// TEXCOORD_n is fed to each UV stream.
     void draw(const Gl& gl, GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;
 
 private:
+    friend class MeshUpload;
     struct Part {
         GlBuffer vertices, indices;
         MemoryLease memory;
@@ -53,11 +66,32 @@ private:
         GLenum indexType = GL_UNSIGNED_SHORT;
     };
 
-    Result<void> addPart(Device& device, const MeshData& data);
     void setPointers(GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;
 
     VertexFormat m_format;
     std::vector<Part> m_parts;
+};
+
+/// A mesh that is uploaded in parts.
+class MeshUpload {
+public:
+    explicit MeshUpload(std::vector<MeshPart> parts);
+
+    bool isDone() const { return m_next == m_parts.size() && !m_buffer; }
+    /// Uploads a piece of one buffer; how many bytes it has. Fails with "memory.budget" and "gl.object".
+    /// Leaves GL's buffers bound.
+    Result<std::size_t> step(Device& device, std::size_t maxBytes);
+    GpuMesh take() { return std::move(m_mesh); }
+
+private:
+    Result<void> beginBuffer(Device& device);
+    void endBuffer();
+
+    std::vector<MeshPart> m_parts;
+    std::size_t m_next = 0; ///< The part whose buffers come next, or are being filled.
+    bool m_ofIndices = false;
+    std::optional<BufferUpload> m_buffer;
+    GpuMesh m_mesh;
 };
 
 } // namespace franken

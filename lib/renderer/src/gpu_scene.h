@@ -70,6 +70,9 @@ struct Outline {
 };
 Outline outlineOf(const Scene& scene);
 
+/// The first texture role of the unit: roles that share one have the same contents and the same default.
+const TextureRoleRow& roleAt(std::size_t unit);
+
 /// What is bound where a material has no texture: one texel that changes nothing.
 class DefaultTextures {
 public:
@@ -88,11 +91,5 @@ void planMaterial(GpuMaterial& gpu, const Scene& outline, const Log& log);
 void replaceFactors(GpuMaterial& gpu, const Scene& outline);
 /// Fills in these, all of which are uploaded.
 void bindTextures(GpuMaterial& material, const GpuScene& gpu, const DefaultTextures& defaults);
-
-/// Geometry that is equal, and images that are equal and sampled alike, are uploaded once. `outline` is that
-/// of the scene, its materials perhaps changed since. Fails as check(scene), with "memory.budget" and with
-/// "gl.object".
-Result<GpuScene> upload(Device& device, const Scene& scene, const Outline& outline,
-                        const DefaultTextures& defaults);
 
 } // namespace franken

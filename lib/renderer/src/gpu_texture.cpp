@@ -107,6 +107,14 @@ Result<TextureData> TextureData::make(const Image& image, const Texture& texture
     return data;
 }
 
+TextureData TextureData::texel(const std::array<std::uint8_t, 4>& rgba, const Texture& texture,
+                               TextureContents contents) {
+    static const Image kEmpty;
+    TextureData data(kEmpty, texture, contents);
+    data.m_own = Image{"", 1, 1, {rgba.begin(), rgba.end()}};
+    return data;
+}
+
 std::size_t TextureData::bytes() const {
     return textureBytes({level(0).width, level(0).height}, !m_smaller.empty());
 }

@@ -49,6 +49,10 @@ public:
     static Result<TextureData> make(const Image& image, const Texture& texture, TextureContents contents,
                                     const Capabilities& capabilities);
 
+    /// One texel, in place of an image that cannot be decoded.
+    static TextureData texel(const std::array<std::uint8_t, 4>& rgba, const Texture& texture,
+                             TextureContents contents);
+
     std::size_t levels() const { return 1 + m_smaller.size(); }
     const Image& level(std::size_t i) const { return i > 0 ? m_smaller[i - 1] : m_own ? *m_own : *m_image; }
     const Texture& sampling() const { return m_sampling; }

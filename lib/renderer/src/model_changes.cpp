@@ -82,6 +82,13 @@ Result<Material> Models::materialOf(ModelId id, int index) const {
     return materials[static_cast<std::size_t>(index)];
 }
 
+Result<void> checkLoaded(const GpuScene& gpu, const Material& material) {
+    for (const TextureRef& ref : material.textures)
+        if (ref && gpu.textureOf[static_cast<std::size_t>(ref.texture)] == GpuScene::kNotUploaded)
+            return unknownTexture("renderer.material", ref.texture);
+    return {};
+}
+
 Result<void> Models::setMaterial(ModelId id, int index, const Material& values) {
     Model* const model = find(id);
     if (model == nullptr)
@@ -92,10 +99,9 @@ Result<void> Models::setMaterial(ModelId id, int index, const Material& values) 
     if (const Result<void> checked = check(outline, values); !checked)
         return Error{"renderer.material", checked.error().where, checked.error().what,
                      "nothing was changed: pass another value"};
-    for (const TextureRef& ref : values.textures)
-        if (ref && model->gpu &&
-            model->gpu->textureOf[static_cast<std::size_t>(ref.texture)] == GpuScene::kNotUploaded)
-            return unknownTexture("renderer.material", ref.texture);
+    if (model->gpu)
+        if (Result<void> loaded = checkLoaded(*model->gpu, values); !loaded)
+            return loaded;
     Material& current = outline.materials[static_cast<std::size_t>(index)];
     const bool factorsAlone = differInFactorsAlone(current, values);
     current = values;

@@ -16,6 +16,14 @@ bool contains(const std::vector<Model*>& list, const Model& model) {
     return std::find(list.begin(), list.end(), &model) != list.end();
 }
 
+/// The caller's, for the time of a call.
+std::shared_ptr<const Scene> unowned(const Scene& scene) { return {std::shared_ptr<void>(), &scene}; }
+
+Error noSource() {
+    return {"renderer.no-source", "", "the context of a model was lost, and it has no source",
+            "pass add() a source that loads the model again"};
+}
+
 } // namespace
 
 Models::Models(Device& device) : m_device(device), m_defaults(device.gl) {}
@@ -27,25 +35,29 @@ Model* Models::find(ModelId id) const {
 }
 
 bool Models::isNeeded(const Model& model) const {
-    return contains(m_shown, model) || contains(m_wanted, model);
+    return contains(m_asked, model) || contains(m_shown, model) || contains(m_wanted, model);
+}
+
+void Models::forgetOldNodes(Model& model) {
+    for (Place* place : model.places)
+        if (place->nodes.size() != model.outline.scene.nodes.size())
+            place->nodes.clear(); // The source reads another file now.
 }
 
 Result<void> Models::upload(Model& model, const Scene& scene) {
-    model.outline = outlineOf(scene);
-    for (Place* place : model.places)
-        if (place->nodes.size() != scene.nodes.size())
-            place->nodes.clear(); // The source reads another file now.
-    for (const auto& [index, material] : model.changedMaterials)
-        if (static_cast<std::size_t>(index) < model.outline.scene.materials.size() &&
-            check(model.outline.scene, material))
-            model.outline.scene.materials[static_cast<std::size_t>(index)] = material;
-    Result<GpuScene> gpu =
-        checkedUpload(m_device, [&] { return franken::upload(m_device, scene, model.outline, *m_defaults); });
+    model.outline = outlineOf(scene, model.changedMaterials);
+    forgetOldNodes(model);
+    Result<GpuScene> gpu = checkedUpload(m_device, [&] {
+        return franken::upload(m_device, {unowned(scene), model.outline, m_device.capabilities, m_device.log},
+                               *m_defaults);
+    });
     if (!gpu)
         return gpu.error();
     model.gpu = *std::move(gpu);
     Result<void> changed = applyChanges(model);
-    if (!changed)
+    if (changed)
+        model.scene.reset();
+    else
         model.gpu.reset();
     return changed;
 }
@@ -53,9 +65,13 @@ Result<void> Models::upload(Model& model, const Scene& scene) {
 Result<void> Models::makeResident(Model& model) {
     if (model.gpu)
         return {};
+    dequeue(model);
+    m_ending.clear(); // A source is not called twice at a time.
+    model.failure.reset();
+    if (const std::shared_ptr<const Scene> scene = model.scene)
+        return upload(model, *scene);
     if (!model.source)
-        return Error{"renderer.no-source", "", "the context of a model was lost, and it has no source",
-                     "pass add() a source that loads the model again"};
+        return noSource();
     const Result<Scene> scene = guarded("the source of a model", model.source);
     return scene ? upload(model, *scene) : scene.error();
 }
@@ -90,7 +106,9 @@ void Models::setShown(std::vector<Model*> models) {
     ++m_device.clock;
     for (Model* model : m_shown)
         model->lastShown = m_device.clock;
-    m_shown = std::move(models);
+    m_asked = std::move(models);
+    m_shown = m_asked;
+    std::erase_if(m_shown, [](const Model* model) { return !model->gpu; });
     for (Model* model : m_shown)
         model->lastShown = m_device.clock;
     m_wanted.clear();
@@ -107,16 +125,28 @@ Result<ModelId> Models::add(const Scene& scene, SceneSource source) {
     return m_models.back()->id;
 }
 
-Result<void> Models::show(std::span<const ModelId> ids) {
+Result<void> Models::show(std::span<const ModelId> ids, Wait wait) {
     std::vector<Model*> list;
     for (const ModelId id : ids) {
         Model* const model = find(id);
         if (model == nullptr)
             return unknownModel();
+        if (wait == Wait::No && !model->gpu && !model->scene && !model->source)
+            return noSource();
         if (!contains(list, *model))
             list.push_back(model);
     }
-    std::vector<Model*> before = m_shown;
+    if (wait == Wait::Yes)
+        return showResident(std::move(list));
+    for (Model* model : list)
+        if (!model->gpu)
+            enqueue(*model);
+    setShown(std::move(list));
+    return {};
+}
+
+Result<void> Models::showResident(std::vector<Model*> list) {
+    std::vector<Model*> before = m_asked;
     m_wanted = list;
     Result<void> made = makeResident(list);
     if (!made && (made.error().code == "memory.budget" || made.error().code == "renderer.memory")) {
@@ -124,9 +154,10 @@ Result<void> Models::show(std::span<const ModelId> ids) {
         m_wanted = list;
         made = makeResident(list);
     }
-    if (!made)
+    if (!made) {
         list = std::move(before);
-    std::erase_if(list, [](const Model* model) { return !model->gpu; });
+        std::erase_if(list, [&](const Model* model) { return !model->gpu && !contains(m_queue, *model); });
+    }
     setShown(std::move(list));
     return made;
 }
@@ -135,14 +166,16 @@ void Models::remove(ModelId id) {
     Model* const model = find(id);
     if (model == nullptr)
         return;
-    if (contains(m_shown, *model)) {
-        std::erase(m_shown, model);
-        setShown(std::move(m_shown));
+    if (contains(m_asked, *model)) {
+        std::vector<Model*> others = m_asked;
+        std::erase(others, model);
+        setShown(std::move(others));
     }
     erase(*model);
 }
 
 void Models::erase(Model& model) {
+    dequeue(model);
     for (const Place* place : model.places)
         m_places.erase(PlaceId{place->id}); // A copy: the place holds the other.
     std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() == &model; });
@@ -150,6 +183,9 @@ void Models::erase(Model& model) {
 }
 
 void Models::eraseAllBut(const Model* kept) {
+    for (const std::unique_ptr<Model>& each : m_models)
+        if (each.get() != kept)
+            dequeue(*each);
     std::erase_if(m_places, [&](const auto& place) { return place.second.model != kept; });
     std::erase_if(m_models, [&](const std::unique_ptr<Model>& each) { return each.get() != kept; });
     m_device.state.invalidate();
@@ -171,6 +207,7 @@ Result<void> Models::load(const Scene& scene, SceneSource source) {
 }
 
 void Models::lost() {
+    cancelLoading(); // It begins again with the next context.
     for (const std::unique_ptr<Model>& model : m_models)
         model->gpu.reset();
     m_defaults.reset();
@@ -180,10 +217,11 @@ void Models::lost() {
 Result<void> Models::restore() {
     m_defaults.emplace(m_device.gl);
     FirstError first;
-    std::vector<Model*> list = m_shown;
+    std::vector<Model*> list = m_asked;
     for (Model* model : list)
-        first.add(makeResident(*model));
-    std::erase_if(list, [](const Model* model) { return !model->gpu; });
+        if (!contains(m_queue, *model))
+            first.add(makeResident(*model));
+    std::erase_if(list, [&](const Model* model) { return !model->gpu && !contains(m_queue, *model); });
     setShown(std::move(list));
     return first.take();
 }

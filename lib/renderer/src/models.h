@@ -4,6 +4,7 @@
 #include "franken/renderer.h"
 #include "gl_owner.h"
 #include "gpu_scene.h"
+#include "scene_loader.h"
 
 #include <map>
 #include <memory>
@@ -45,9 +46,14 @@ struct Model {
     std::map<int, Material> changedMaterials = {};     ///< By scene material.
     std::map<int, TextureChange> changedTextures = {}; ///< By scene texture.
     std::optional<PickTree> pickTree = {};
+    std::shared_ptr<const Scene> scene = {}; ///< Of addInSteps(), until it is on the GPU.
+    std::optional<Error> failure = {};       ///< Why its loading ended.
     std::optional<GpuScene> gpu = {};
     std::uint64_t lastShown = 0; ///< By Device::clock.
 };
+
+/// Fails with "renderer.material" where a texture of the material was not uploaded.
+Result<void> checkLoaded(const GpuScene& gpu, const Material& material);
 
 /// The models of a renderer: which are on the GPU, which are shown, and where. Renderer says what its
 /// functions do.
@@ -56,7 +62,9 @@ public:
     explicit Models(Device& device);
 
     Result<ModelId> add(const Scene& scene, SceneSource source);
-    Result<void> show(std::span<const ModelId> ids);
+    Result<ModelId> addInSteps(Scene scene, SceneSource source);
+    Result<void> show(std::span<const ModelId> ids, Wait wait);
+    Result<bool> isResident(ModelId id) const;
     void remove(ModelId id);
     Result<void> load(const Scene& scene, SceneSource source);
 
@@ -78,6 +86,16 @@ public:
     Result<void> setPickTree(ModelId id, std::optional<PickTree> tree);
     Result<std::optional<PlaceHit>> pick(const Ray& ray) const;
 
+    /// Uploads a part of the model that is being loaded, of at most kStepBytes; how many bytes.
+    Result<std::size_t> step();
+    /// That is uploaded, and whose programs are to be made before finishLoading(); null where there is none.
+    GpuScene* uploaded() { return m_loading && m_loading->gpu ? &*m_loading->gpu : nullptr; }
+    /// Makes it resident, and shows it where that was asked for.
+    Result<void> finishLoading();
+    bool isLoading() const { return !m_queue.empty(); }
+    /// Whether step() can do nothing until a thread has read or made something.
+    bool isWaiting() const;
+
     void lost() override;
     Result<void> restore() override;
     std::optional<std::uint64_t> oldestUse() const override;
@@ -91,6 +109,24 @@ public:
     unsigned movements() const { return m_movements; }
 
 private:
+    static constexpr std::size_t kStepBytes = std::size_t{256} << 10;
+
+    /// A model on its way.
+    struct Loading {
+        Model* model;
+        std::unique_ptr<SceneLoader> loader;
+        SceneUpload upload = {};
+        std::optional<GpuScene> gpu = {}; ///< All of it is uploaded.
+        Outline outline = {};
+    };
+
+    void enqueue(Model& model);
+    void dequeue(const Model& model);
+    bool beginLoading();
+    void cancelLoading();
+    Result<std::size_t> uploadPart();
+    Result<void> applyMaterials(Model& model);
+
     Model* find(ModelId id) const;
     const Place* find(PlaceId id) const;
     Place* find(PlaceId id) { return const_cast<Place*>(std::as_const(*this).find(id)); }
@@ -104,10 +140,12 @@ private:
     Result<void> replaceTexture(Model& model, int index, const Image& image);
     bool isNeeded(const Model& model) const;
     const Model* oldest() const;
+    void forgetOldNodes(Model& model);
     Result<void> upload(Model& model, const Scene& scene);
     Result<void> makeResident(Model& model);
     Result<void> makeResident(std::span<Model* const> models);
     void setShown(std::vector<Model*> models);
+    Result<void> showResident(std::vector<Model*> list);
 
     Device& m_device;
     std::optional<DefaultTextures> m_defaults; ///< Nothing while there is no context.
@@ -115,6 +153,10 @@ private:
     std::unordered_map<PlaceId, Place> m_places; ///< Whose addresses stay.
     std::vector<Model*> m_shown, m_wanted;       ///< Neither is evicted; `m_wanted` is about to be shown.
     std::vector<NodeWorld> m_nextNodes;          ///< Of setPose().
+    std::vector<Model*> m_asked;                 ///< What show() was called with, resident or not.
+    std::vector<Model*> m_queue;                 ///< To be loaded by step(); the first is being loaded.
+    std::optional<Loading> m_loading;
+    std::vector<std::unique_ptr<SceneLoader>> m_ending; ///< Cancelled; they keep the next one waiting.
     unsigned m_revision = 0, m_movements = 0;
 };
 

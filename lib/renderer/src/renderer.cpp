@@ -101,6 +101,25 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
         return true;
     }
 
+    /// One unit of work: a part of a model's data, or one program.
+    Result<void> stepOnce(StepReport & total) {
+        Result<void> finished;
+        if (GpuScene* const scene = models.uploaded()) {
+            const unsigned before = programs.manager.counters().links;
+            if (!frame.makeProgram(*scene))
+                finished = models.finishLoading();
+            total.programs += programs.manager.counters().links - before;
+            device.state.invalidate();
+        } else {
+            const Result<std::size_t> bytes = models.step();
+            if (!bytes)
+                return bytes.error();
+            total.bytes += *bytes;
+        }
+        total.more = models.isLoading();
+        return finished;
+    }
+
     /// What all functions that call GL do first and last: `function` returns a Result. A context that turns
     /// out to be gone counts as lost from then on.
     template<typename Function>
@@ -147,8 +166,29 @@ Result<ModelId> Renderer::add(const Scene& scene, SceneSource source) {
     return m_state->call("add()", [&] { return m_state->models.add(scene, std::move(source)); });
 }
 
-Result<void> Renderer::show(std::span<const ModelId> models) {
-    return m_state->call("show()", [&] { return m_state->models.show(models); });
+Result<ModelId> Renderer::addInSteps(Scene scene, SceneSource source) {
+    return m_state->note("addInSteps()",
+                         [&] { return m_state->models.addInSteps(std::move(scene), std::move(source)); });
+}
+
+Result<void> Renderer::show(std::span<const ModelId> models, Wait wait) {
+    return m_state->call("show()", [&] { return m_state->models.show(models, wait); });
+}
+
+Result<bool> Renderer::isResident(ModelId model) const {
+    return m_state->note("isResident()", [&] { return m_state->models.isResident(model); });
+}
+
+Result<StepReport> Renderer::step(std::chrono::microseconds budget) {
+    return m_state->call("step()", [&]() -> Result<StepReport> {
+        const auto end = std::chrono::steady_clock::now() + budget;
+        StepReport total;
+        do {
+            if (Result<void> done = m_state->stepOnce(total); !done)
+                return done.error();
+        } while (total.more && !m_state->models.isWaiting() && std::chrono::steady_clock::now() < end);
+        return total;
+    });
 }
 
 void Renderer::remove(ModelId model) { m_state->models.remove(model); }

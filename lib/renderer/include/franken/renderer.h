@@ -21,6 +21,7 @@
 #include "franken/viewpoint.h"
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -39,11 +40,22 @@ struct PlaceHit : Hit {
 };
 
 /// Load again what the GPU lost or evicted: a source reads its file anew, so that no pixels stay in memory
-/// for that. Called from show(), drawOverlay() and restore(), in their thread; a source must not call the
-/// renderer. An exception that it throws becomes "renderer.exception".
+/// for that. Called from drawOverlay(), restore() and a show() that waits, in their thread; for step(), a
+/// SceneSource is called on a thread of the renderer's. Never called twice at a time. A source must not call
+/// the renderer. An exception that it throws becomes "renderer.exception".
 using SceneSource = std::function<Result<Scene>()>;
 using SkyboxSource = std::function<Result<SkyboxMap>()>;
 using ReflectionSource = std::function<Result<ReflectionMaps>()>;
+
+/// Whether a call waits until all is on the GPU.
+enum class Wait { No, Yes };
+
+/// What a step did.
+struct StepReport {
+    std::size_t bytes = 0; ///< Of texels, vertices and indices that were uploaded.
+    unsigned programs = 0; ///< That were compiled.
+    bool more = false;     ///< Something is still being loaded.
+};
 
 /// Counts of the last frame.
 struct FrameCounters {
@@ -61,7 +73,7 @@ struct FrameCounters {
 ///
 ///     const SceneSource vase = [] { return loadGltf("vase.glb"); };
 ///     const Result<ModelId> id = renderer.add(*scene, vase); // The scene may come from another thread.
-///     renderer.show({{*id}});
+///     renderer.show({{*id}}, Wait::Yes);
 ///
 /// Use it on one thread, with its GL context current, unless a function says otherwise; the destructor too. A
 /// frame asks GL for nothing and sets the state that it depends on (gl_state.h has the list) where it is not
@@ -84,10 +96,30 @@ public:
     /// and is lost with the context.
     Result<ModelId> add(const Scene& scene, SceneSource source = {});
 
-    /// Shows these models and no others; loads evicted ones again. Where that fails, the models that were
-    /// shown stay, unless they were evicted to make room. Fails as add() and as a source do, with
-    /// "renderer.model" for an unknown model, and with "renderer.no-source" for a lost one.
-    Result<void> show(std::span<const ModelId> models);
+    /// Adds a scene that step() uploads; returns at once. Its images are decoded (ImageForm::Encoded) and
+    /// made ready on a thread of the renderer's, one at a time, with at most 160 MiB in use for five of 4096
+    /// x 4096. A loss of the context in the middle starts it again, with or without a source: the scene stays
+    /// until it is uploaded. What is wrong with it, step() says. Costs the time to move the scene.
+    Result<ModelId> addInSteps(Scene scene, SceneSource source = {});
+
+    /// Shows these models and no others. Those that are not resident are loaded by step(), in their order,
+    /// and are drawn from the frame on in which they are: the call never waits, unless it is told to. To keep
+    /// the old picture until the new one is there, show both until isResident() says so. Fails with
+    /// "renderer.model" for an unknown model, and with "renderer.no-source" for a lost one; what was shown
+    /// stays then. With Wait::Yes, it fails as add() and as a source do, too, and the models that were shown
+    /// stay, unless they were evicted to make room.
+    Result<void> show(std::span<const ModelId> models, Wait wait = Wait::No);
+
+    /// Whether a model is on the GPU, with its programs. Fails with the error that its loading ended with
+    /// (show() begins again), and with "renderer.model". Costs nothing.
+    Result<bool> isResident(ModelId model) const;
+
+    /// Goes on with what is loaded in steps: does units of work until the time is up, at least one, and none
+    /// where a thread has to read something first. A unit uploads at most 256 KiB of texels, vertices or
+    /// indices, or compiles one program, so that a call takes little more than its budget; a texture that
+    /// setTexture() changed while its model was away is one unit. Once in each frame, before draw(). Fails as
+    /// an upload and as a source do, once for each model: it is not loaded further then, and all others are.
+    Result<StepReport> step(std::chrono::microseconds budget = {});
 
     /// Deletes a model and its places. Does nothing for an unknown one.
     void remove(ModelId model);
