@@ -20,7 +20,8 @@ constexpr std::size_t kUnit = 256 * 1024;
 Scene large() {
     SceneBuilder builder;
     Material material;
-    material.textures[TextureRole::BaseColor].texture = builder.addTexture(checkers(512, 8, {1, 0, 0, 1}, glm::vec4(1)));
+    material.textures[TextureRole::BaseColor].texture =
+        builder.addTexture(checkers(512, 8, {1, 0, 0, 1}, glm::vec4(1)));
     material.textures[TextureRole::Normal].texture = builder.addTexture(bumps(256, 5));
     builder.add(sphere(128), builder.addMaterial(material));
     return builder.scene;

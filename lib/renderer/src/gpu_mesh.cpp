@@ -114,8 +114,8 @@ std::vector<std::uint8_t> bytesAs(const std::vector<std::uint32_t>& indices) {
 }
 
 MeshPart partOf(MeshData data) {
-    const bool wide =
-        data.vertices.size() / static_cast<std::size_t>(data.format.stride) > GpuMesh::kMaxShortVertices;
+    const std::size_t vertexCount = data.vertices.size() / static_cast<std::size_t>(data.format.stride);
+    const bool wide = vertexCount > GpuMesh::kMaxShortVertices;
     return {.format = data.format,
             .vertices = std::move(data.vertices),
             .indices = wide ? bytesAs<std::uint32_t>(data.indices) : bytesAs<std::uint16_t>(data.indices),
