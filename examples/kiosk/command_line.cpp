@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "kiosk/command_line.h"
+
+#include "kiosk/config/setting.h"
+
+#include <CLI/CLI.hpp>
+
+namespace kiosk {
+
+namespace platform = franken::platform;
+
+namespace {
+
+constexpr char kAbout[] = "Shows glTF models on a screen, for months.";
+constexpr char kFooter[] =
+    "Each setting of the configuration is an option as well, and wins over the file:\n"
+    "    kiosk --content.playlist \"vase.glb urn.glb\" --show.turn-seconds 10\n"
+    "`kiosk settings` prints all of them, as a file that says what each does.\n"
+    "Exit codes: 0 ok, 1 `doctor` found something wrong, 2 usage, 3 a file was refused, 4 no screen or no\n"
+    "context.";
+
+void addSettings(CLI::App& app, Overrides& overrides) {
+    for (const Setting& setting : settings())
+        app.add_option_function<std::string>(
+               "--" + setting.key,
+               [&overrides, key = setting.key](const std::string& text) {
+                   overrides.emplace_back(key, text);
+               },
+               setting.help)
+            ->group(""); // `kiosk settings` is where they are read.
+}
+
+platform::Backend toBackend(const std::string& word) {
+    const auto backend = platform::parseBackend(word);
+    if (!backend)
+        throw CLI::ValidationError("--backend", franken::toString(backend.error()));
+    return *backend;
+}
+
+platform::Size toSize(const std::string& text) {
+    const auto request = platform::parseModeRequest(text);
+    if (!request || request->refresh != 0)
+        throw CLI::ValidationError("--size", "'" + text + "' is not WIDTHxHEIGHT in pixels");
+    return request->size;
+}
+
+struct Parsed {
+    RunOptions run;
+    DrawFrame frame;
+    CheckFile check;
+    Examine examine;
+    std::vector<std::string> models;
+};
+
+void addRun(CLI::App& app, Parsed& parsed) {
+    app.add_option("-c,--config", parsed.run.config, "The configuration")->type_name("FILE");
+    app.add_option("MODEL", parsed.models, "Models to show: stands for --content.playlist");
+    app.add_option_function<std::string>(
+           "--backend", [&parsed](const std::string& word) { parsed.run.backend = toBackend(word); },
+           "Where to draw: kms (a screen), window, egl or osmesa [kms; egl with --frame]")
+        ->type_name("WORD");
+    app.add_option("--frame", parsed.frame.output, "Draw one picture of the first model, and end")
+        ->type_name("PNG");
+    app.add_option_function<std::string>(
+           "--size", [&parsed](const std::string& text) { parsed.frame.size = toSize(text); },
+           "Of the picture [1280x720]")
+        ->type_name("WxH");
+    app.add_option("--time", parsed.frame.seconds, "What the picture shows: seconds after the model came [0]")
+        ->check(CLI::Range(0.0, 86400.0));
+    addSettings(app, parsed.run.overrides);
+}
+
+Command commandOf(const CLI::App& app, Parsed& parsed) {
+    if (app.got_subcommand("check"))
+        return parsed.check;
+    if (app.got_subcommand("settings"))
+        return PrintSettings{};
+    if (app.got_subcommand("doctor"))
+        return parsed.examine;
+    for (const std::string& model : parsed.models)
+        parsed.run.models.push_back(model);
+    if (parsed.frame.output.empty())
+        return Run{parsed.run};
+    if (app.get_option("--backend")->empty())
+        parsed.run.backend = platform::Backend::EglSurfaceless;
+    parsed.frame.options = parsed.run;
+    return parsed.frame;
+}
+
+} // namespace
+
+Command parseCommandLine(int count, const char* const* arguments) {
+    CLI::App app(kAbout, "kiosk");
+    app.footer(kFooter);
+    Parsed parsed;
+    addRun(app, parsed);
+    app.require_subcommand(0, 1);
+    CLI::App* check = app.add_subcommand("check", "Say what is wrong with a configuration");
+    check->add_option("FILE", parsed.check.file, "The configuration")->required();
+    app.add_subcommand("settings", "Print all settings, as a file that says what each does");
+    CLI::App* doctor = app.add_subcommand("doctor", "Say what is wrong with this machine, and what mends it");
+    doctor->add_option("-c,--config", parsed.examine.config, "The configuration")->type_name("FILE");
+    doctor->add_flag("--json", parsed.examine.json, "For programs");
+    doctor->add_option("--report", parsed.examine.report, "Write all of it to one file, to send to somebody")
+        ->type_name("FILE");
+    doctor->add_option("--root", parsed.examine.root, "Where /sys, /proc and /dev are: for tests")
+        ->type_name("FOLDER");
+    try {
+        app.parse(count, arguments);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
+    }
+    return commandOf(app, parsed);
+}
+
+} // namespace kiosk

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "kiosk/content/content.h"
+
+namespace kiosk {
+
+namespace fs = std::filesystem;
+using franken::LogLevel;
+
+namespace {
+constexpr Time kLookAgain = std::chrono::seconds(5);
+}
+
+Content::Content(EventLoop& loop, franken::Log log, EventLoop::Handler arrived)
+    : m_loop(loop), m_log(std::move(log)), m_arrived(std::move(arrived)) {
+    m_loaderSource = loop.onReadable(m_loader.descriptor(), [this] { m_arrived(); });
+    m_folderTimer = loop.timer([this] {
+        m_folder->rescan();
+        folderChanged();
+    });
+}
+
+void Content::configure(const Config& config) {
+    m_listed.assign(config.content.playlist.begin(), config.content.playlist.end());
+    if (config.content.folder != m_folderName)
+        watchFolder(config.content.folder);
+    refresh();
+}
+
+void Content::watchFolder(const std::string& folder) {
+    m_folderName = folder;
+    m_folderSource.reset();
+    m_folder.reset();
+    m_folderTimer->disarm();
+    if (folder.empty())
+        return;
+    m_folder = std::make_unique<WatchedFolder>(folder, m_log);
+    m_folderSource = m_loop.onReadable(m_folder->descriptor(), [this] { folderChanged(); });
+    if (!m_folder->present())
+        m_log(LogLevel::Warning, folder + ": there is no such folder; waiting for it");
+    folderChanged();
+}
+
+void Content::folderChanged() {
+    for (const fs::path& file : m_folder->dispatch())
+        m_playlist.changed(file);
+    if (!m_folder->present())
+        m_folderTimer->arm(now() + kLookAgain);
+    refresh();
+    m_arrived();
+}
+
+void Content::refresh() {
+    std::vector<fs::path> models = m_listed;
+    if (m_folder)
+        for (fs::path& model : m_folder->models())
+            models.push_back(std::move(model));
+    if (models == m_playlist.models())
+        return;
+    m_log(LogLevel::Info, std::to_string(models.size()) + (models.size() == 1 ? " model" : " models"));
+    m_playlist.set(std::move(models));
+    if (m_reading && !m_playlist.contains(*m_reading))
+        cancel();
+}
+
+void Content::want(const std::optional<fs::path>& shown, int direction) {
+    m_shown = shown;
+    m_direction = direction;
+    m_reading = m_playlist.after(shown, direction);
+    if (m_reading)
+        m_loader.request(*m_reading);
+}
+
+void Content::cancel() {
+    m_loader.cancel();
+    m_reading.reset();
+}
+
+std::optional<LoadedModel> Content::take() {
+    std::optional<LoadedModel> model = m_loader.take();
+    if (!model)
+        return {};
+    m_reading.reset();
+    for (const std::string& warning : model->warnings)
+        m_log(LogLevel::Warning, warning);
+    if (model->scene)
+        return model;
+    refuse(model->path, model->scene.error());
+    return {};
+}
+
+void Content::refuse(const fs::path& model, const franken::Error& error) {
+    m_log(LogLevel::Error, model.string() + " is skipped: " + franken::toString(error));
+    m_playlist.markBroken(model, franken::toString(error));
+    want(m_shown, m_direction);
+}
+
+} // namespace kiosk

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/log.h"
+#include "kiosk/config/config.h"
+#include "kiosk/content/loader.h"
+#include "kiosk/content/playlist.h"
+#include "kiosk/content/watched_folder.h"
+#include "kiosk/event_loop.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace kiosk {
+
+/// The models: which there are, and the next one, read ahead. Broken ones are skipped, and each is reported
+/// once until it changes.
+class Content {
+public:
+    /// `arrived` is called when take() may have something, or when the list of models has changed.
+    Content(EventLoop& loop, franken::Log log, EventLoop::Handler arrived);
+
+    void configure(const Config& config);
+
+    /// Begins to read what follows (or comes before) the model that is shown.
+    void want(const std::optional<std::filesystem::path>& shown, int direction = 1);
+    /// Whether something is being read, or read and not taken.
+    bool isReading() const { return m_reading.has_value(); }
+    void cancel();
+
+    /// A whole model, read by want().
+    std::optional<LoadedModel> take();
+    /// Its upload failed.
+    void refuse(const std::filesystem::path& model, const franken::Error& error);
+
+    const Playlist& playlist() const { return m_playlist; }
+
+private:
+    void refresh();
+    void folderChanged();
+    void watchFolder(const std::string& folder);
+
+    EventLoop& m_loop;
+    franken::Log m_log;
+    EventLoop::Handler m_arrived;
+    std::vector<std::filesystem::path> m_listed; ///< By the configuration.
+    std::string m_folderName;
+    Playlist m_playlist;
+    Loader m_loader;
+    std::unique_ptr<WatchedFolder> m_folder;
+    std::unique_ptr<EventLoop::Source> m_loaderSource, m_folderSource;
+    std::unique_ptr<EventLoop::Timer> m_folderTimer; ///< Looks for a folder that is not there.
+    std::optional<std::filesystem::path> m_reading, m_shown;
+    int m_direction = 1;
+};
+
+} // namespace kiosk

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "kiosk/content/watched_folder.h"
+
+#include <sys/inotify.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+namespace kiosk {
+
+namespace fs = std::filesystem;
+using franken::LogLevel;
+
+namespace {
+
+constexpr std::uint32_t kGone = IN_MOVE_SELF | IN_DELETE_SELF | IN_UNMOUNT;
+constexpr std::uint32_t kEvents = IN_CREATE | IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE |
+                                  IN_MOVE_SELF | IN_DELETE_SELF | IN_ONLYDIR;
+
+bool isHidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
+bool isModel(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+    return extension == ".glb" || extension == ".gltf";
+}
+
+/// What is in a folder and not hidden; nothing where it cannot be read.
+std::vector<fs::directory_entry> entriesOf(const fs::path& folder) {
+    std::vector<fs::directory_entry> entries;
+    std::error_code error;
+    for (fs::directory_iterator each(folder, error), end; !error && each != end; each.increment(error))
+        if (!isHidden(each->path()))
+            entries.push_back(*each);
+    return entries;
+}
+
+bool isFolder(const fs::directory_entry& entry) {
+    std::error_code error;
+    return entry.is_directory(error);
+}
+
+} // namespace
+
+WatchedFolder::WatchedFolder(fs::path folder, franken::Log log)
+    : m_folder(std::move(folder)), m_log(std::move(log)), m_inotify(inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
+    rescan();
+}
+
+WatchedFolder::~WatchedFolder() {
+    if (m_inotify >= 0)
+        close(m_inotify);
+}
+
+void WatchedFolder::watch(const fs::path& folder) {
+    const int watched = inotify_add_watch(m_inotify, folder.c_str(), kEvents);
+    if (watched >= 0)
+        m_folders[watched] = folder;
+    else if (errno != ENOENT)
+        m_log(LogLevel::Warning, folder.string() + ": cannot be watched: " + std::strerror(errno));
+}
+
+void WatchedFolder::rescan() {
+    watch(m_folder);
+    for (const fs::directory_entry& entry : entriesOf(m_folder))
+        if (isFolder(entry))
+            watch(entry.path());
+}
+
+bool WatchedFolder::present() const {
+    return std::any_of(m_folders.begin(), m_folders.end(),
+                       [this](const auto& entry) { return entry.second == m_folder; });
+}
+
+bool WatchedFolder::handle(const inotify_event& event, std::vector<fs::path>& changed) {
+    if ((event.mask & IN_Q_OVERFLOW) != 0)
+        return true;
+    const auto folder = m_folders.find(event.wd);
+    if (folder == m_folders.end())
+        return false;
+    if ((event.mask & (kGone | IN_IGNORED)) != 0) {
+        inotify_rm_watch(m_inotify, event.wd);
+        m_folders.erase(folder);
+        return true;
+    }
+    if ((event.mask & IN_ISDIR) != 0)
+        return true;
+    const fs::path path = event.len == 0 ? folder->second : folder->second / event.name;
+    if (isHidden(path))
+        return false;
+    if ((event.mask & IN_CREATE) != 0) {
+        m_beingWritten.insert(path);
+        return false;
+    }
+    m_beingWritten.erase(path);
+    changed.push_back(path);
+    return false;
+}
+
+std::vector<fs::path> WatchedFolder::dispatch() {
+    std::vector<fs::path> changed;
+    bool isStale = false;
+    alignas(inotify_event) std::array<char, 16384> buffer{};
+    for (ssize_t got = 0; (got = read(m_inotify, buffer.data(), buffer.size())) > 0;)
+        for (std::size_t at = 0; at < static_cast<std::size_t>(got);) {
+            const auto& event = *reinterpret_cast<const inotify_event*>(buffer.data() + at);
+            at += sizeof(inotify_event) + event.len;
+            isStale = handle(event, changed) || isStale;
+        }
+    if (isStale) {
+        rescan();
+        changed.push_back(m_folder);
+    }
+    return changed;
+}
+
+std::vector<fs::path> WatchedFolder::models() const {
+    std::vector<fs::path> models;
+    const auto add = [&](const fs::directory_entry& entry) {
+        std::error_code error;
+        if (isModel(entry.path()) && entry.is_regular_file(error) && !m_beingWritten.contains(entry.path()))
+            models.push_back(entry.path());
+    };
+    for (const fs::directory_entry& entry : entriesOf(m_folder)) {
+        add(entry);
+        if (isFolder(entry))
+            for (const fs::directory_entry& inner : entriesOf(entry.path()))
+                add(inner);
+    }
+    std::sort(models.begin(), models.end());
+    return models;
+}
+
+} // namespace kiosk

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/log.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <vector>
+
+struct inotify_event;
+
+namespace kiosk {
+
+/// A folder of models and the folders in it, watched by inotify(7). A file that is being written is not there
+/// before its writer closes it, or renames it to its name; hidden files (as rsync and Syncthing make while
+/// they copy) are none of ours.
+class WatchedFolder {
+public:
+    /// The folder need not be there (yet): rescan() looks for it.
+    WatchedFolder(std::filesystem::path folder, franken::Log log);
+    ~WatchedFolder();
+    WatchedFolder(const WatchedFolder&) = delete;
+    WatchedFolder& operator=(const WatchedFolder&) = delete;
+
+    int descriptor() const { return m_inotify; }
+    /// Reads what happened: the files that were completed, replaced or removed.
+    std::vector<std::filesystem::path> dispatch();
+    /// Watches what is there now: for a folder that appears late (a data partition, a USB stick).
+    void rescan();
+    /// Whether the folder is there and watched.
+    bool present() const;
+
+    /// The .glb and .gltf files that are complete, in the order of their paths.
+    std::vector<std::filesystem::path> models() const;
+
+private:
+    void watch(const std::filesystem::path& folder);
+    /// Whether the folders have to be looked at again.
+    bool handle(const inotify_event& event, std::vector<std::filesystem::path>& changed);
+
+    std::filesystem::path m_folder;
+    franken::Log m_log;
+    int m_inotify;
+    std::map<int, std::filesystem::path> m_folders; ///< By watch descriptor.
+    std::set<std::filesystem::path> m_beingWritten;
+};
+
+} // namespace kiosk

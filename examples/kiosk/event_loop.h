@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/result.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+namespace kiosk {
+
+/// CLOCK_MONOTONIC, which no setting of the clock moves.
+using Time = std::chrono::nanoseconds;
+Time now();
+
+/// What the kiosk waits for, by libsystemd's sd-event: descriptors, timers, signals.
+class EventLoop {
+public:
+    using Handler = std::function<void()>;
+
+    static franken::Result<std::unique_ptr<EventLoop>> make();
+    ~EventLoop();
+
+    /// A source that ends with it.
+    class Source {
+    public:
+        virtual ~Source() = default;
+    };
+    /// `handler` runs whenever the descriptor is readable. Null where the loop cannot watch it.
+    std::unique_ptr<Source> onReadable(int descriptor, Handler handler);
+    /// The signal is taken from the process: only the handler sees it.
+    std::unique_ptr<Source> onSignal(int number, Handler handler);
+    /// `handler` runs whenever the system's clock was set, forwards or back.
+    std::unique_ptr<Source> onClockSet(Handler handler);
+
+    class Timer : public Source {
+    public:
+        /// Runs its handler once, then; a later arm() replaces an earlier one.
+        virtual void arm(Time when) = 0;
+        virtual void disarm() = 0;
+    };
+    std::unique_ptr<Timer> timer(Handler handler);
+
+    /// Waits for the next event and handles it.
+    franken::Result<void> turn();
+
+private:
+    struct State;
+    explicit EventLoop(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace kiosk

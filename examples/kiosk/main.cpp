@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "franken/printable.h"
+#include "kiosk/command_line.h"
+#include "kiosk/config/example.h"
+#include "kiosk/frame_command.h"
+#include "kiosk/report/journal.h"
+
+#include <iostream>
+
+namespace kiosk {
+
+namespace {
+
+/// Reports faults; whether there were none.
+bool report(const std::vector<franken::Error>& faults) {
+    for (const franken::Error& fault : faults)
+        std::cerr << franken::printableLines(franken::toString(fault)) << "\n";
+    return faults.empty();
+}
+
+ExitCode exitCodeOf(const franken::Result<void>& ended, const franken::Log& log) {
+    if (ended)
+        return ExitCode::Ok;
+    log(franken::LogLevel::Error, franken::toString(ended.error()));
+    return ExitCode::Device;
+}
+
+std::optional<Config> configOf(const RunOptions& options) {
+    ReadConfig read = readConfig(options.config, options.overrides);
+    if (!options.models.empty()) {
+        read.config.content.playlist.clear();
+        for (const std::string& model : options.models)
+            read.config.content.playlist.push_back(std::filesystem::absolute(model).string());
+    }
+    return report(read.faults) ? std::optional(std::move(read.config)) : std::nullopt;
+}
+
+struct Execute {
+    ExitCode operator()(ExitCode code) const { return code; }
+
+    ExitCode operator()(const Run& command) const {
+        const std::optional<Config> config = configOf(command.options);
+        if (!config)
+            return ExitCode::Refused;
+        const franken::Log log = journal();
+        const auto kiosk = Kiosk::open(command.options, *config, log);
+        return exitCodeOf(kiosk ? (*kiosk)->run() : kiosk.error(), log);
+    }
+
+    ExitCode operator()(const DrawFrame& command) const {
+        const std::optional<Config> config = configOf(command.options);
+        if (!config)
+            return ExitCode::Refused;
+        return exitCodeOf(drawFrame(command, *config, journal()), journal());
+    }
+
+    ExitCode operator()(const CheckFile& command) const {
+        if (!report(readConfig(command.file).faults))
+            return ExitCode::Refused;
+        std::cout << command.file.string() << " is good\n";
+        return ExitCode::Ok;
+    }
+
+    ExitCode operator()(const PrintSettings&) const {
+        std::cout << exampleConfig();
+        return ExitCode::Ok;
+    }
+
+    ExitCode operator()(const Examine&) const { return ExitCode::Usage; }
+};
+
+} // namespace
+
+} // namespace kiosk
+
+int main(int count, char** arguments) {
+    return static_cast<int>(std::visit(kiosk::Execute{}, kiosk::parseCommandLine(count, arguments)));
+}

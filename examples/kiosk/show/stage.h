@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/renderer.h"
+#include "kiosk/config/config.h"
+#include "kiosk/content/loader.h"
+#include "kiosk/show/lighting.h"
+#include "kiosk/show/view.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kiosk {
+
+/// A model that is on the GPU, or on its way there.
+struct Exhibit {
+    std::filesystem::path path;
+    std::string caption;
+    franken::ModelId id{};
+    franken::PlaceId place{};
+    View view;
+    std::vector<franken::ProgramUse> uses;
+};
+
+/// What is drawn: the model that is shown, the next one, which is uploaded and warmed up in slices, and a
+/// sheet of background over both.
+class Stage {
+public:
+    /// `manifest`: where the programs of earlier runs are listed; empty for none.
+    Stage(const franken::Gl& gl, const std::string& driver, std::filesystem::path manifest,
+          const Config& config, franken::Log log);
+
+    /// What of the configuration may change while it runs. `sky` outlives the call.
+    void configure(const Config& config);
+    void setSky(std::shared_ptr<const franken::BakedSky> sky);
+    void setControls(const LightControls& controls);
+    void setTarget(const franken::DrawTarget& target, bool srgbTarget);
+
+    /// Programs that earlier runs needed and that are not there yet, as a share of all.
+    double warmedUp() const;
+
+    /// Begins to upload the next model; drops the one that was next before.
+    franken::Result<void> prepare(LoadedModel model);
+    void dropNext();
+    bool hasNext() const { return m_next != nullptr; }
+    /// Whether the next model can be shown without work left to do. Fails as its upload did; it is dropped
+    /// then.
+    franken::Result<bool> nextIsReady();
+    /// Shows the next model, and removes the shown one.
+    franken::Result<void> change();
+    /// Shows nothing.
+    void clear();
+
+    Exhibit* shown() { return m_shown.get(); }
+    Exhibit* next() { return m_next.get(); }
+
+    /// A slice of what is left to upload and compile. Between begin() of a frame and draw(): it draws to the
+    /// target.
+    franken::Result<void> work();
+    bool hasWork() const { return m_isLoading || !m_unwarmed.empty(); }
+
+    /// `cover`: 0 shows the model, 1 the background alone.
+    franken::Result<void> draw(double cover);
+
+    /// Adds the programs that were needed to the manifest, if there are new ones.
+    void keepManifest();
+
+    franken::Renderer& renderer() { return m_renderer; }
+    const franken::DrawTarget& target() const { return m_target; }
+
+private:
+    void light();
+    void warm(const std::vector<franken::ProgramUse>& uses);
+
+    franken::Log m_log;
+    std::string m_driver;
+    std::filesystem::path m_manifest;
+    Config m_config;
+    franken::Renderer m_renderer;
+    franken::DrawTarget m_target;
+    bool m_srgbTarget = false;
+    franken::Look m_look;
+    LightControls m_controls;
+    std::shared_ptr<const franken::BakedSky> m_sky;
+    std::unique_ptr<Exhibit> m_shown, m_next;
+    std::vector<franken::ProgramUse> m_warmed, m_unwarmed, m_unwritten;
+    std::size_t m_listed = 0; ///< Programs of earlier runs.
+    bool m_isLoading = false;
+    franken::PictureId m_sheet{};
+};
+
+} // namespace kiosk

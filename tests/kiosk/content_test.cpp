@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "kiosk/content/loader.h"
+#include "kiosk/content/playlist.h"
+#include "kiosk/content/watched_folder.h"
+#include "support/shell.h"
+
+#include <gtest/gtest.h>
+
+namespace franken::test {
+namespace {
+
+namespace fs = std::filesystem;
+using kiosk::Playlist;
+using Paths = std::vector<fs::path>;
+
+TEST(KioskPlaylist, GoesRoundBothWays) {
+    Playlist list;
+    EXPECT_FALSE(list.after({}));
+    list.set({"a", "b", "c"});
+    EXPECT_EQ(list.after({}), "a");
+    EXPECT_EQ(list.after({}, -1), "c");
+    EXPECT_EQ(list.after("c"), "a");
+    EXPECT_EQ(list.after("a", -1), "c");
+}
+
+TEST(KioskPlaylist, SkipsBrokenOnesUntilTheyChange) {
+    Playlist list;
+    list.set({"/m/a", "/m/b", "/n/c"});
+    list.markBroken("/m/b", "cut off");
+    EXPECT_EQ(list.after("/m/a"), "/n/c");
+    list.changed("/n/c");
+    EXPECT_EQ(list.after("/m/a"), "/n/c");
+    list.changed("/m/texture.png");
+    EXPECT_EQ(list.after("/m/a"), "/m/b");
+    for (const char* each : {"/m/a", "/m/b", "/n/c"})
+        list.markBroken(each, "gone");
+    EXPECT_FALSE(list.after("/m/a")) << "nothing whole is left";
+}
+
+TEST(KioskPlaylist, AModelThatWentIsFollowedByItsFollower) {
+    Playlist list;
+    list.set({"a", "c"});
+    EXPECT_EQ(list.after("b"), "c");
+    EXPECT_EQ(list.after("b", -1), "a");
+    EXPECT_EQ(list.after("d"), "a");
+}
+
+class KioskFolder : public testing::Test {
+protected:
+    fs::path m_folder = emptyTestFolder();
+    void write(const fs::path& name) const { std::ofstream(m_folder / name) << "x"; }
+};
+
+TEST_F(KioskFolder, AFileIsThereOnceItIsClosed) {
+    kiosk::WatchedFolder folder(m_folder, [](LogLevel, std::string_view) {});
+    std::ofstream half(m_folder / "a.glb");
+    half << "x" << std::flush;
+    folder.dispatch();
+    EXPECT_TRUE(folder.models().empty()) << "it is still being written";
+    half.close();
+    EXPECT_EQ(folder.dispatch(), Paths{m_folder / "a.glb"});
+    EXPECT_EQ(folder.models(), Paths{m_folder / "a.glb"});
+}
+
+TEST_F(KioskFolder, AFileIsThereOnceItIsRenamedAndGoneOnceItIsRemoved) {
+    kiosk::WatchedFolder folder(m_folder, [](LogLevel, std::string_view) {});
+    write(".b.glb.Xq3"); // As rsync does.
+    folder.dispatch();
+    EXPECT_TRUE(folder.models().empty());
+    fs::rename(m_folder / ".b.glb.Xq3", m_folder / "b.GLB");
+    folder.dispatch();
+    EXPECT_EQ(folder.models(), Paths{m_folder / "b.GLB"});
+    fs::remove(m_folder / "b.GLB");
+    EXPECT_EQ(folder.dispatch(), Paths{m_folder / "b.GLB"});
+    EXPECT_TRUE(folder.models().empty());
+}
+
+TEST_F(KioskFolder, FoldersInItAreSeenToo) {
+    write("z.gltf");
+    kiosk::WatchedFolder folder(m_folder, [](LogLevel, std::string_view) {});
+    fs::create_directory(m_folder / "bottle");
+    folder.dispatch();
+    write("bottle/bottle.gltf");
+    write("bottle/bottle.png");
+    EXPECT_EQ(folder.dispatch(), (Paths{m_folder / "bottle/bottle.gltf", m_folder / "bottle/bottle.png"}));
+    EXPECT_EQ(folder.models(), (Paths{m_folder / "bottle/bottle.gltf", m_folder / "z.gltf"}));
+}
+
+TEST_F(KioskFolder, AFolderMayComeAndGo) {
+    const fs::path late = m_folder / "late";
+    kiosk::WatchedFolder folder(late, [](LogLevel, std::string_view) {});
+    EXPECT_FALSE(folder.present());
+    fs::create_directory(late);
+    write("late/a.glb");
+    folder.rescan();
+    EXPECT_TRUE(folder.present());
+    EXPECT_EQ(folder.models().size(), 1U);
+    fs::remove_all(late);
+    folder.dispatch();
+    EXPECT_FALSE(folder.present());
+    EXPECT_TRUE(folder.models().empty());
+}
+
+TEST_F(KioskFolder, CaptionsComeFromATextBesideOrFromTheName) {
+    EXPECT_EQ(kiosk::captionOf(m_folder / "red_fox-2.glb"), "red fox 2");
+    std::ofstream(m_folder / "red_fox-2.txt") << "\xEF\xBB\xBF"
+                                              << "Vulpes vulpes\r\nsecond line\n";
+    EXPECT_EQ(kiosk::captionOf(m_folder / "red_fox-2.glb"), "Vulpes vulpes");
+}
+
+} // namespace
+} // namespace franken::test
