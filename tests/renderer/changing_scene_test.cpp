@@ -130,6 +130,26 @@ TEST(ChangingScene, AFrameAllocatesNothingAndCompilesNothing) {
     EXPECT_EQ(after - before, 0u);
 }
 
+TEST(ChangingScene, AnOverlayThatIsUpdatedAllocatesNothing) {
+    Renderer renderer(nullGl());
+    Image frame = checkers(32, 4, glm::vec4(1), glm::vec4(0)), part = checkers(8, 2, glm::vec4(1), glm::vec4(0));
+    const Result<PictureId> picture = renderer.addPicture(frame);
+    ASSERT_TRUE(picture);
+    const std::vector<OverlayQuad> quads(20, {.picture = *picture, .place = {0, 0, 16, 16}});
+    const auto draw = [&](int number) {
+        frame.rgba[0] = static_cast<std::uint8_t>(number);
+        return renderer.draw(viewpoint(number), kTarget) && renderer.updatePicture(*picture, frame) &&
+               renderer.updatePicture(*picture, part, number % 24, 3) && renderer.drawOverlay(quads, kTarget);
+    };
+    bool drawn = draw(0) && draw(1);
+    const std::size_t before = allocationCount();
+    for (int number = 2; number < 1002; ++number)
+        drawn = draw(number) && drawn;
+    const std::size_t after = allocationCount();
+    EXPECT_TRUE(drawn);
+    EXPECT_EQ(after - before, 0u);
+}
+
 /// One round of all that comes and goes.
 void churn(Renderer& renderer, const Scene& scene, int round) {
     const Result<ModelId> model = renderer.add(scene, [&] { return Result<Scene>(scene); });

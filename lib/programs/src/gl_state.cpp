@@ -72,9 +72,18 @@ void GlState::bindTexture(unsigned unit, GLenum target, GLuint texture) {
     assert(unit < kTextureUnits);
     if (!changes(m_textures[unit][target == GL_TEXTURE_CUBE_MAP ? 1 : 0], texture))
         return;
+    activate(unit);
+    m_gl->BindTexture(target, texture);
+}
+
+void GlState::bindForUpload(GLuint texture) {
+    activate(0);
+    bindTexture(0, GL_TEXTURE_2D, texture);
+}
+
+void GlState::activate(unsigned unit) {
     if (changes(m_unit, unit))
         m_gl->ActiveTexture(GL_TEXTURE0 + unit);
-    m_gl->BindTexture(target, texture);
 }
 
 void GlState::bindVertices(GLuint buffer) {

@@ -14,12 +14,6 @@
 namespace franken {
 namespace {
 
-struct Vertex {
-    std::array<float, 3> position;
-    std::array<float, 2> uv;
-    std::array<std::uint16_t, 4> color;
-};
-
 constexpr std::size_t kQuadVertices = 4, kQuadIndices = 6;
 constexpr std::size_t kMaxQuads = GpuMesh::kMaxShortVertices / kQuadVertices;
 
@@ -27,7 +21,7 @@ const void* at(std::size_t bytes) {
     return reinterpret_cast<const void*>(bytes); // NOLINT(performance-no-int-to-ptr)
 }
 
-void addVertices(const OverlayQuad& quad, std::vector<Vertex>& vertices) {
+void addVertices(const OverlayQuad& quad, std::vector<OverlayVertex>& vertices) {
     std::array<std::uint16_t, 4> color{};
     std::transform(quad.color.begin(), quad.color.end(), color.begin(), [](float value) {
         return static_cast<std::uint16_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 65'535));
@@ -133,20 +127,20 @@ void Overlay::begin(const DrawTarget& target) {
 
 void Overlay::drawQuads(std::span<const OverlayQuad> quads, const Pictures& pictures) {
     GlState& state = m_device.state;
-    std::vector<Vertex> vertices;
+    m_drawn.clear();
     for (const OverlayQuad& quad : quads)
-        addVertices(quad, vertices);
+        addVertices(quad, m_drawn);
     state.bindVertices(m_vertices.name());
-    m_device.gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(Vertex)),
-                           vertices.data(), GL_STREAM_DRAW);
+    m_device.gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(m_drawn.size() * sizeof(OverlayVertex)),
+                           m_drawn.data(), GL_STREAM_DRAW);
     if (state.changesPointers(m_vertices.name(), m_program->attributes())) {
         const auto set = [&](const char* name, GLint size, GLenum type, std::size_t offset) {
             state.setPointer(static_cast<GLuint>(attributeLocation(name)),
-                             {size, type, static_cast<GLsizei>(sizeof(Vertex)), static_cast<int>(offset)});
+                             {size, type, static_cast<GLsizei>(sizeof(OverlayVertex)), static_cast<int>(offset)});
         };
-        set("aPosition", 3, GL_FLOAT, offsetof(Vertex, position));
-        set("aUv0", 2, GL_FLOAT, offsetof(Vertex, uv));
-        set("aColor", 4, GL_UNSIGNED_SHORT, offsetof(Vertex, color));
+        set("aPosition", 3, GL_FLOAT, offsetof(OverlayVertex, position));
+        set("aUv0", 2, GL_FLOAT, offsetof(OverlayVertex, uv));
+        set("aColor", 4, GL_UNSIGNED_SHORT, offsetof(OverlayVertex, color));
     }
     state.bindIndices(m_indices.name());
     for (std::size_t first = 0, next = 0; first < quads.size(); first = next) {

@@ -5,7 +5,17 @@
 #include "franken/program_manager.h"
 #include "pictures.h"
 
+#include <array>
+#include <cstdint>
+#include <vector>
+
 namespace franken {
+
+struct OverlayVertex {
+    std::array<float, 3> position;
+    std::array<float, 2> uv;
+    std::array<std::uint16_t, 4> color;
+};
 
 /// Draws pictures on top of a frame.
 class Overlay final : public GlOwner {
@@ -30,6 +40,7 @@ private:
     ProgramManager& m_programs;
     GlBuffer m_vertices, m_indices;
     ProgramHandle m_program;
+    std::vector<OverlayVertex> m_drawn; ///< Of the running draw(); a member, so that frames allocate nothing.
     UniformBlock<MaterialBlock> m_material;
     UniformBlock<ObjectBlock> m_object;
 };

@@ -351,6 +351,20 @@ Result<PictureId> Renderer::addPicture(const Image& picture, PictureSource sourc
     return m_state->call("addPicture()", [&] { return m_state->pictures.add(picture, std::move(source)); });
 }
 
+Result<void> Renderer::updatePicture(PictureId picture, const Image& image, int x, int y) {
+    return m_state->call("updatePicture()", [&] { return m_state->pictures.update(picture, image, x, y); });
+}
+
+Result<PictureId> Renderer::addApplicationTexture(unsigned texture) {
+    return m_state->call("addApplicationTexture()",
+                         [&] { return m_state->pictures.addOfApplication(texture); });
+}
+
+Result<void> Renderer::setApplicationTexture(PictureId picture, unsigned texture) {
+    return m_state->call("setApplicationTexture()",
+                         [&] { return m_state->pictures.setOfApplication(picture, texture); });
+}
+
 void Renderer::removePicture(PictureId picture) { m_state->pictures.remove(picture); }
 
 Result<void> Renderer::drawOverlay(std::span<const OverlayQuad> quads, const DrawTarget& target) {

@@ -60,6 +60,8 @@ public:
     void useProgram(GLuint program);
     /// unit: 0 to 7. target: GL_TEXTURE_2D or GL_TEXTURE_CUBE_MAP.
     void bindTexture(unsigned unit, GLenum target, GLuint texture);
+    /// To unit 0, which is active then: glTexSubImage2D() writes to it.
+    void bindForUpload(GLuint texture);
     void bindVertices(GLuint buffer);
     void bindIndices(GLuint buffer);
     /// Enables the arrays of those locations (bit n: location n) and no others.
@@ -89,6 +91,7 @@ private:
         bool operator==(const Of&) const = default;
     };
 
+    void activate(unsigned unit);
     void setCapability(std::optional<bool>& known, GLenum capability, bool on);
 
     const Gl* m_gl;

@@ -264,6 +264,26 @@ public:
     /// Uploads a picture for overlays. Fails as an upload, and with "renderer.image" where its size and its
     /// bytes differ. Without a source it is never evicted, and is lost with the context.
     Result<PictureId> addPicture(const Image& picture, PictureSource source = {});
+    /// Replaces a picture's pixels, or a part of them whose upper left corner is at `x`, `y`. Uploads these
+    /// pixels into the texture that is there, and allocates nothing: fit for each frame, but a GPU that draws
+    /// in tiles (vc4, v3d) then keeps a copy for a frame that it still draws. A source must return the new
+    /// pixels from then on. All pixels bring back a picture that was lost without a source. Fails as an
+    /// upload and as the source where the picture is not on the GPU; with "renderer.image" as addPicture()
+    /// does, with "renderer.picture-part" where the image does not lie in the picture, and for parts of a
+    /// picture that was scaled down to the GPU's limit; with "renderer.picture" for an unknown picture, one
+    /// that is the application's, and for a part of a lost one.
+    Result<void> updatePicture(PictureId picture, const Image& image, int x = 0, int y = 0);
+    /// A picture that is the application's own texture, for video. It is never written, evicted or deleted by
+    /// the renderer, and not counted in memory(). Its filters and wraps stay as they are: without mipmaps, its
+    /// filter must not use any, or it is black. Delete it after removePicture(); binding or writing it is a
+    /// change of GL's state (invalidateState()). Asks GL whether it is a texture, which may wait for the
+    /// driver. Fails with "renderer.application-texture" where it is none, or not of GL_TEXTURE_2D.
+    Result<PictureId> addApplicationTexture(unsigned texture);
+    /// Another texture for such a picture: after a lost context, which takes the old one along; until then
+    /// drawing it fails with "renderer.picture". Fails as the function above does, and with
+    /// "renderer.picture" for a picture that is not the application's. A video in several textures is best
+    /// added as several pictures, because each change of names asks GL.
+    Result<void> setApplicationTexture(PictureId picture, unsigned texture);
     void removePicture(PictureId picture);
 
     /// Draws rectangles in their order on top of the target's picture, clipped to it. Loads evicted pictures
