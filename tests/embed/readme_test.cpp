@@ -88,7 +88,8 @@ TEST_P(Readme, ThingsChange) {
     Lighting lighting = lightingOf(scene);
     const Camera camera = framingCamera(scene.bounds(), 1);
     DrawTarget target = this->target();
-    const Image dial = checkers(16, 4, glm::vec4(1), glm::vec4(0)), needle = checkers(8, 2, glm::vec4(1), glm::vec4(0));
+    const Image dial = checkers(16, 4, glm::vec4(1), glm::vec4(0)),
+                needle = checkers(8, 2, glm::vec4(1), glm::vec4(0));
     GLuint video = 0;
     gl().GenTextures(1, &video);
     gl().BindTexture(GL_TEXTURE_2D, video);

@@ -132,7 +132,8 @@ TEST(ChangingScene, AFrameAllocatesNothingAndCompilesNothing) {
 
 TEST(ChangingScene, AnOverlayThatIsUpdatedAllocatesNothing) {
     Renderer renderer(nullGl());
-    Image frame = checkers(32, 4, glm::vec4(1), glm::vec4(0)), part = checkers(8, 2, glm::vec4(1), glm::vec4(0));
+    Image frame = checkers(32, 4, glm::vec4(1), glm::vec4(0)),
+          part = checkers(8, 2, glm::vec4(1), glm::vec4(0));
     const Result<PictureId> picture = renderer.addPicture(frame);
     ASSERT_TRUE(picture);
     const std::vector<OverlayQuad> quads(20, {.picture = *picture, .place = {0, 0, 16, 16}});

@@ -116,7 +116,8 @@ TEST_P(OverlayChangesTest, AnUpdateOutlastsEvictionAndALostContext) {
     replaceContext({64, 64});
     EXPECT_EQ(renderer.updatePicture(*bare, newest).error().code, "renderer.context-lost");
     EXPECT_EQ(renderer.restore(gl()).error().code, "renderer.no-source");
-    EXPECT_EQ(renderer.updatePicture(*bare, plain(4, 4, kRed)).error().code, "renderer.picture") << "it is lost";
+    EXPECT_EQ(renderer.updatePicture(*bare, plain(4, 4, kRed)).error().code, "renderer.picture")
+        << "it is lost";
     ASSERT_TRUE(renderer.updatePicture(*bare, plain(16, 16, kRed))) << "all of it brings it back";
     EXPECT_EQ(texel(renderer, *bare, 8, 8), kRed);
     ASSERT_TRUE(renderer.updatePicture(*sourced, plain(4, 4, kRed), 4, 4)) << "the source has the rest";
@@ -134,7 +135,8 @@ TEST_P(OverlayChangesTest, AnApplicationsTextureIsShownAndNeverTouched) {
         recordedCalls().clear();
         EXPECT_EQ(texel(renderer, *picture, 8, 8), kGreen);
         gl().BindTexture(GL_TEXTURE_2D, video);
-        gl().TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE, plain(4, 4, kRed).rgba.data());
+        gl().TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 4, 4, GL_RGBA, GL_UNSIGNED_BYTE,
+                           plain(4, 4, kRed).rgba.data());
         renderer.invalidateState();
         EXPECT_EQ(texel(renderer, *picture, 8, 8), kRed) << "the next frame of the video";
         EXPECT_EQ(renderer.updatePicture(*picture, plain(4, 4, kGrey)).error().code, "renderer.picture");

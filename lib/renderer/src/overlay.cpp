@@ -135,8 +135,9 @@ void Overlay::drawQuads(std::span<const OverlayQuad> quads, const Pictures& pict
                            m_drawn.data(), GL_STREAM_DRAW);
     if (state.changesPointers(m_vertices.name(), m_program->attributes())) {
         const auto set = [&](const char* name, GLint size, GLenum type, std::size_t offset) {
-            state.setPointer(static_cast<GLuint>(attributeLocation(name)),
-                             {size, type, static_cast<GLsizei>(sizeof(OverlayVertex)), static_cast<int>(offset)});
+            state.setPointer(
+                static_cast<GLuint>(attributeLocation(name)),
+                {size, type, static_cast<GLsizei>(sizeof(OverlayVertex)), static_cast<int>(offset)});
         };
         set("aPosition", 3, GL_FLOAT, offsetof(OverlayVertex, position));
         set("aUv0", 2, GL_FLOAT, offsetof(OverlayVertex, uv));

@@ -29,7 +29,9 @@ Error noTexture(GLuint texture) {
             "bind it once to GL_TEXTURE_2D before, and after a lost context make it anew"};
 }
 
-std::string sizeText(TextureSize size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+std::string sizeText(TextureSize size) {
+    return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
 Error notWithin(const Image& image, int x, int y, TextureSize size) {
     return {"renderer.picture-part", image.name,
@@ -107,10 +109,11 @@ Result<void> Pictures::update(PictureId id, const Image& image, int x, int y) {
         return made;
     GpuTexture& texture = picture->texture;
     if (texture.size != picture->size)
-        return isWhole ? checkedUpload(m_device,
-                                       [&] { return updateTexture(m_device, texture, image, kPlainSampling); })
-                             .transform([](bool) {})
-                       : isScaled(picture->size, texture.size);
+        return isWhole
+                   ? checkedUpload(m_device,
+                                   [&] { return updateTexture(m_device, texture, image, kPlainSampling); })
+                         .transform([](bool) {})
+                   : isScaled(picture->size, texture.size);
     m_device.state.bindForUpload(texture.texture.name());
     m_device.gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
     m_device.gl.TexSubImage2D(GL_TEXTURE_2D, 0, x, y, image.width, image.height, GL_RGBA, GL_UNSIGNED_BYTE,
@@ -180,7 +183,9 @@ void Pictures::lost() {
 }
 
 Result<void> Pictures::restore() {
-    const auto hasNoSource = [](const Picture& picture) { return !picture.source && !picture.isOfApplication; };
+    const auto hasNoSource = [](const Picture& picture) {
+        return !picture.source && !picture.isOfApplication;
+    };
     return std::any_of(m_pictures.begin(), m_pictures.end(), hasNoSource) ? noSource() : Result<void>();
 }
 

@@ -274,9 +274,9 @@ public:
     /// that is the application's, and for a part of a lost one.
     Result<void> updatePicture(PictureId picture, const Image& image, int x = 0, int y = 0);
     /// A picture that is the application's own texture, for video. It is never written, evicted or deleted by
-    /// the renderer, and not counted in memory(). Its filters and wraps stay as they are: without mipmaps, its
-    /// filter must not use any, or it is black. Delete it after removePicture(); binding or writing it is a
-    /// change of GL's state (invalidateState()). Asks GL whether it is a texture, which may wait for the
+    /// the renderer, and not counted in memory(). Its filters and wraps stay as they are: without mipmaps,
+    /// its filter must not use any, or it is black. Delete it after removePicture(); binding or writing it is
+    /// a change of GL's state (invalidateState()). Asks GL whether it is a texture, which may wait for the
     /// driver. Fails with "renderer.application-texture" where it is none, or not of GL_TEXTURE_2D.
     Result<PictureId> addApplicationTexture(unsigned texture);
     /// Another texture for such a picture: after a lost context, which takes the old one along; until then
