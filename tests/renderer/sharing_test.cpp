@@ -159,6 +159,14 @@ TEST_P(SharingTest, ATurnedPictureIsTheSamePicture) {
     }
 }
 
+// Names of OpenGL ES 3.0, which both backends have.
+constexpr GLenum kReadFramebuffer = 0x8CA8, kPackBuffer = 0x88EB, kUnpackBuffer = 0x88EC;
+constexpr std::array<GLenum, 9> kNewer = {
+    0x8CAA, 0x88ED, 0x88EF, // Bindings of the read framebuffer and of the buffers of packing and unpacking.
+    0x0D02, 0x0D03, 0x0D04, // Packing: row length, rows and pixels to skip.
+    0x0CF2, 0x0CF3, 0x0CF4, // Unpacking: likewise.
+};
+
 /// All that the library touches, asked one by one, in an order of the test's own.
 std::vector<double> stateOf(const Gl& gl) {
     std::vector<double> state;
@@ -173,6 +181,11 @@ std::vector<double> stateOf(const Gl& gl) {
         std::array<GLfloat, 4> values{};
         gl.GetFloatv(name, values.data());
         state.insert(state.end(), values.begin(), values.end());
+    }
+    for (const GLenum name : kNewer) {
+        GLint value = 0;
+        gl.GetIntegerv(name, &value);
+        state.push_back(value);
     }
     for (const GLenum name : {GL_BLEND, GL_CULL_FACE, GL_DEPTH_TEST, GL_DITHER, GL_POLYGON_OFFSET_FILL,
                               GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_COVERAGE, GL_SCISSOR_TEST, GL_STENCIL_TEST})
@@ -203,9 +216,23 @@ std::vector<double> stateOf(const Gl& gl) {
     return state;
 }
 
+/// What OpenGL ES 3.0 adds: pictures that go through buffers, in rows of other lengths.
+void setOddTransfers(const Gl& gl) {
+    GLuint framebuffer = 0;
+    std::array<GLuint, 2> buffers{};
+    gl.GenFramebuffers(1, &framebuffer);
+    gl.GenBuffers(2, buffers.data());
+    gl.BindFramebuffer(kReadFramebuffer, framebuffer);
+    gl.BindBuffer(kPackBuffer, buffers[0]);
+    gl.BindBuffer(kUnpackBuffer, buffers[1]);
+    for (std::size_t i = 3; i < kNewer.size(); ++i)
+        gl.PixelStorei(kNewer[i], 70 + static_cast<GLint>(i));
+}
+
 /// Objects and numbers as a toolkit has them, none of them GL's own first ones.
 void setOddState(const Gl& gl) {
     disturbState(gl);
+    setOddTransfers(gl);
     std::array<GLuint, 3> buffers{}, textures{};
     GLuint renderbuffer = 0;
     gl.GenBuffers(3, buffers.data());
@@ -238,13 +265,28 @@ void setOddState(const Gl& gl) {
     gl.Enable(GL_SAMPLE_COVERAGE);
 }
 
+TEST_P(SharingTest, ARendererThatIsMadeLeavesGlAsItWas) {
+    setOddState(gl());
+    const std::vector<double> before = stateOf(gl());
+    const Precision precision = Capabilities::query(gl()).precision;
+    EXPECT_EQ(stateOf(gl()), before);
+    EXPECT_EQ(precision, Precision::Fp32);
+    Renderer renderer(gl());
+    EXPECT_EQ(stateOf(gl()), before);
+    ASSERT_TRUE(renderer.acquireState());
+    load(renderer);
+    ASSERT_TRUE(renderer.releaseState());
+    renderer.contextLost();
+    EXPECT_EQ(renderer.restore(gl()).error().code, "renderer.no-source");
+    EXPECT_EQ(stateOf(gl()), before);
+    EXPECT_EQ(gl().GetError(), GLenum{GL_NO_ERROR});
+}
+
 TEST_P(SharingTest, GlIsHandedBackAsItWas) {
     Renderer renderer(gl());
     EXPECT_EQ(renderer.releaseState().error().code, "renderer.state");
     load(renderer);
     addSky(renderer);
-    const Result<PictureId> picture = renderer.addPicture(checkers(4, 2, {1, 0, 0, 1}, {0, 1, 1, 1}));
-    ASSERT_TRUE(picture);
     const Picture clean = drawn(renderer, target());
     for (int frame = 0; frame < 2; ++frame) {
         setOddState(gl());
@@ -255,7 +297,13 @@ TEST_P(SharingTest, GlIsHandedBackAsItWas) {
         ASSERT_TRUE(renderer.draw(viewpoint(at), at));
         ASSERT_TRUE(renderer.readPixels(at));
         EXPECT_EQ(compareLit(*renderer.readPixels(at), clean).max(), 0);
+        const Result<PictureId> picture = renderer.addPicture(checkers(4, 2, {1, 0, 0, 1}, {0, 1, 1, 1}));
+        ASSERT_TRUE(picture);
         ASSERT_TRUE(renderer.drawOverlay({{{.picture = *picture, .place = {0, 0, 4, 4}}}}, at));
+        const Result<Image> covered = renderer.readPixels(at);
+        ASSERT_TRUE(covered);
+        EXPECT_EQ(pixel(*covered, 0, 0), (ReadBack::Pixel{255, 0, 0, 255}));
+        EXPECT_EQ(pixel(*covered, 3, 0), (ReadBack::Pixel{0, 255, 255, 255}));
         EXPECT_NE(stateOf(gl()), before);
         ASSERT_TRUE(renderer.releaseState());
         EXPECT_EQ(stateOf(gl()), before) << "frame " << frame;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/capabilities.h"
 
+#include "franken/saved_state.h"
 #include "precision_probe.h"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ int limitOf(const Gl& gl, GLenum name, int least) {
 } // namespace
 
 Capabilities Capabilities::query(const Gl& gl) {
+    const KeptState kept(gl);
     const std::string_view version = textOf(gl, GL_VERSION);
     const std::string_view renderer = textOf(gl, GL_RENDERER);
     const std::string_view extensions = textOf(gl, GL_EXTENSIONS);

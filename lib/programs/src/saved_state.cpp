@@ -3,10 +3,30 @@
 
 #include "franken/attribute_format.h"
 
+#include <algorithm>
+#include <string_view>
+
 namespace franken {
 namespace {
 
 static_assert(kAttributeFormats.size() <= SavedState::kArrays);
+
+// Names of OpenGL ES 3.0, which <GLES2/gl2.h> does not have.
+constexpr GLenum kReadFramebuffer = 0x8CA8, kReadFramebufferBinding = 0x8CAA;
+constexpr GLenum kPackBuffer = 0x88EB, kPackBufferBinding = 0x88ED;
+constexpr GLenum kUnpackBuffer = 0x88EC, kUnpackBufferBinding = 0x88EF;
+constexpr std::array<GLenum, 6> kPixelStore = {
+    0x0D02, 0x0D03, 0x0D04, // GL_PACK_ROW_LENGTH, GL_PACK_SKIP_ROWS, GL_PACK_SKIP_PIXELS
+    0x0CF2, 0x0CF3, 0x0CF4, // GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS
+};
+
+/// "OpenGL ES 3.1 Mesa", "3.3 (Compatibility Profile)": whether it is 3.0 at least.
+bool isNewer(const Gl& gl) {
+    const GLubyte* text = gl.GetString(GL_VERSION);
+    const std::string_view version = text == nullptr ? "" : reinterpret_cast<const char*>(text);
+    const std::size_t digit = version.find_first_of("0123456789");
+    return digit != std::string_view::npos && version[digit] >= '3';
+}
 
 GLint integer(const Gl& gl, GLenum name) {
     GLint value = 0;
@@ -40,6 +60,21 @@ void askObjects(const Gl& gl, SavedState& state) {
     gl.ActiveTexture(static_cast<GLenum>(state.activeTexture));
     for (GLuint location = 0; location < SavedState::kArrays; ++location)
         state.arrays[location] = arrayOf(gl, location);
+}
+
+SavedState::Newer newerOf(const Gl& gl) {
+    SavedState::Newer newer{integer(gl, kReadFramebufferBinding), integer(gl, kPackBufferBinding),
+                            integer(gl, kUnpackBufferBinding)};
+    std::transform(kPixelStore.begin(), kPixelStore.end(), newer.pixelStore.begin(),
+                   [&](GLenum name) { return integer(gl, name); });
+    return newer;
+}
+
+void setTransfers(const Gl& gl, const SavedState::Newer& newer) {
+    gl.BindBuffer(kPackBuffer, static_cast<GLuint>(newer.packBuffer));
+    gl.BindBuffer(kUnpackBuffer, static_cast<GLuint>(newer.unpackBuffer));
+    for (std::size_t i = 0; i < kPixelStore.size(); ++i)
+        gl.PixelStorei(kPixelStore[i], newer.pixelStore[i]);
 }
 
 void restoreObjects(const Gl& gl, const SavedState& state) {
@@ -85,7 +120,14 @@ SavedState SavedState::of(const Gl& gl) {
     gl.GetIntegerv(GL_SCISSOR_BOX, state.scissorBox.data());
     state.packAlignment = integer(gl, GL_PACK_ALIGNMENT);
     state.unpackAlignment = integer(gl, GL_UNPACK_ALIGNMENT);
+    if (isNewer(gl))
+        state.newer = newerOf(gl);
     return state;
+}
+
+void SavedState::takeOver(const Gl& gl) const {
+    if (newer)
+        setTransfers(gl, {});
 }
 
 void SavedState::restore(const Gl& gl) const {
@@ -108,6 +150,10 @@ void SavedState::restore(const Gl& gl) const {
     gl.Scissor(scissorBox[0], scissorBox[1], scissorBox[2], scissorBox[3]);
     gl.PixelStorei(GL_PACK_ALIGNMENT, packAlignment);
     gl.PixelStorei(GL_UNPACK_ALIGNMENT, unpackAlignment);
+    if (newer) {
+        gl.BindFramebuffer(kReadFramebuffer, static_cast<GLuint>(newer->readFramebuffer));
+        setTransfers(gl, *newer);
+    }
 }
 
 } // namespace franken

@@ -158,7 +158,12 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
 Renderer::Renderer(const Gl& gl, Log log) : Renderer(gl, Capabilities::query(gl), std::move(log)) {}
 
 Renderer::Renderer(const Gl& gl, const Capabilities& capabilities, Log log)
-    : m_state(std::make_unique<State>(gl, capabilities, std::move(log))) {}
+    : m_state([&] {
+          const KeptState kept(gl);
+          return std::make_unique<State>(gl, capabilities, std::move(log));
+      }()) {
+    invalidateState();
+}
 
 Renderer::~Renderer() = default;
 
@@ -390,6 +395,7 @@ Result<void> Renderer::acquireState() {
     invalidateState();
     return m_state->call("acquireState()", [&]() -> Result<void> {
         m_state->foreign = SavedState::of(m_state->device.gl);
+        m_state->foreign->takeOver(m_state->device.gl);
         return {};
     });
 }
@@ -419,7 +425,11 @@ void Renderer::contextLost() { m_state->lost(); }
 Result<void> Renderer::restore(const Gl& gl) { return restore(gl, Capabilities::query(gl)); }
 
 Result<void> Renderer::restore(const Gl& gl, const Capabilities& capabilities) {
-    Result<void> restored = guarded("restore()", [&] { return m_state->restore(gl, capabilities); });
+    Result<void> restored = guarded("restore()", [&] {
+        const KeptState kept(gl);
+        return m_state->restore(gl, capabilities);
+    });
+    invalidateState();
     if (!restored && restored.error().code == franken::contextLost().code)
         m_state->lost();
     return restored;

@@ -25,7 +25,7 @@ struct Capabilities {
     Precision precision = Precision::Fp32;
 
     /// Queries the context, and draws a pixel into a target of its own. Call it once, not in a frame. It
-    /// changes GL state, except for the bound framebuffer and the viewport.
+    /// leaves GL's state as it was.
     static Capabilities query(const Gl& gl);
 };
 

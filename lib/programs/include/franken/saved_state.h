@@ -6,16 +6,22 @@
 #include "franken/gl.h"
 
 #include <array>
+#include <optional>
 
 namespace FRANKEN_API franken {
 
 /// A copy of all GL state that this library changes (gl_state.h has the list), which can be restored. Objects
-/// are kept by name. In contexts beyond OpenGL ES 2.0, the attribute arrays are those of the bound vertex
-/// array object, which stays bound.
+/// are kept by name. In contexts beyond OpenGL ES 2.0 (a toolkit's are, often), the attribute arrays are those
+/// of the bound vertex array object, which stays bound; a core profile of desktop GL must have one bound.
 struct SavedState {
     struct Array {
         GLint enabled = 0, buffer = 0, size = 4, type = GL_FLOAT, normalized = 0, stride = 0;
         void* pointer = nullptr;
+    };
+    /// What OpenGL ES 3.0 and OpenGL 3.0 have beside it, and what transfers of pixels there depend on.
+    struct Newer {
+        GLint readFramebuffer = 0, packBuffer = 0, unpackBuffer = 0;
+        std::array<GLint, 6> pixelStore{}; ///< Row length, rows and pixels to skip, of packing and unpacking.
     };
     static constexpr std::array<GLenum, 9> kCapabilities = {
         GL_BLEND,          GL_DEPTH_TEST, GL_CULL_FACE,           GL_SCISSOR_TEST,
@@ -39,12 +45,30 @@ struct SavedState {
     GLfloat clearDepth = 0;
     std::array<GLint, 4> viewport{}, scissorBox{};
     GLint packAlignment = 0, unpackAlignment = 0;
+    std::optional<Newer> newer; ///< Where the context has it.
 
-    /// Queries the state by some 110 GL calls, for which a driver may have to finish pending work.
+    /// Queries the state by some 120 GL calls, for which a driver may have to finish pending work.
     static SavedState of(const Gl& gl);
 
-    /// Restores the state by some 90 GL calls.
+    /// Sets to 0 what the library relies on and OpenGL ES 2.0 does not have: buffers and rows of transfers of
+    /// pixels. For whoever has a copy, to be restored.
+    void takeOver(const Gl& gl) const;
+
+    /// Restores the state by some 100 GL calls.
     void restore(const Gl& gl) const;
+};
+
+/// GL's state is taken over as long as the object lives, and is then what it was before.
+class KeptState {
+public:
+    explicit KeptState(const Gl& gl) : m_gl(gl), m_state(SavedState::of(gl)) { m_state.takeOver(gl); }
+    ~KeptState() { m_state.restore(m_gl); }
+    KeptState(const KeptState&) = delete;
+    KeptState& operator=(const KeptState&) = delete;
+
+private:
+    const Gl& m_gl;
+    SavedState m_state;
 };
 
 } // namespace franken

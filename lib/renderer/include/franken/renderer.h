@@ -86,7 +86,7 @@ struct FrameCounters {
 /// can be was evicted, and with "gl.object" where the driver makes no object.
 class Renderer {
 public:
-    /// Copies the table. Asks the context for its capabilities.
+    /// Copies the table. Asks the context for its capabilities, and leaves GL's state as it was.
     explicit Renderer(const Gl& gl, Log log = {});
     Renderer(const Gl& gl, const Capabilities& capabilities, Log log = {});
     ~Renderer();
@@ -299,9 +299,9 @@ public:
 
     /// For a context that a toolkit draws with as well (Qt, GTK, SDL, ImGui): notes GL's state, all that the
     /// library touches (gl_state.h has the list), and takes over; stands for invalidateState(). Asks GL some
-    /// 110 times, which may wait for the driver: for each frame, not for each draw.
+    /// 120 times, which may wait for the driver: for each frame, not for each draw.
     Result<void> acquireState();
-    /// Hands GL back as it was at acquireState(); some 90 calls. Fails with "renderer.state" without it.
+    /// Hands GL back as it was at acquireState(); some 100 calls. Fails with "renderer.state" without it.
     Result<void> releaseState();
 
     /// Tells the renderer that GL's state was changed by others. Call it once, before the next other call.
@@ -315,7 +315,7 @@ public:
     /// Rebuilds all models that are shown, the skybox and the reflection in a new context, which is current,
     /// from their sources; other models and pictures are loaded when they are shown and drawn. Where
     /// something cannot be rebuilt, the rest is, and the first error is returned. Without contextLost()
-    /// before, the old context counts as lost.
+    /// before, the old context counts as lost. Leaves GL's state as it was.
     Result<void> restore(const Gl& gl);
     Result<void> restore(const Gl& gl, const Capabilities& capabilities);
 
