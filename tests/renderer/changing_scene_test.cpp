@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
 // What a scene that changes all the time costs: allocations, compiles, and memory that stays.
-#include "allocation_count.h"
 #include "franken/generator/effect.h"
 #include "franken/renderer.h"
 #include "support/gl_recorder.h"
+#include "support/heap_count.h"
 #include "support/null_gl.h"
 #include "support/shapes.h"
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <cmath>
+#include <cstdlib>
+#include <thread>
 
 namespace franken::test {
 namespace {
@@ -84,8 +85,13 @@ struct Changing {
         first.add(renderer.setEffectValues(tint));
         first.add(renderer.setEffectValues(
             places[2], std::span<const Float4>(tint).first(static_cast<std::size_t>(frame % 2))));
+        first.add(outcome(renderer.step()));
         first.add(renderer.draw(viewpoint(frame), kTarget));
         return first.result;
+    }
+
+    static Result<void> outcome(const Result<StepReport>& report) {
+        return report ? Result<void>() : Result<void>(report.error());
     }
 
     struct FirstOf {
@@ -121,11 +127,11 @@ TEST(ChangingScene, AFrameAllocatesNothingAndCompilesNothing) {
     Changing quiet(nullGl()); // The recorder allocates.
     for (int frame = 0; frame < 6; ++frame)
         ASSERT_TRUE(quiet.draw(frame));
-    const std::size_t before = allocationCount();
+    const std::size_t before = heapCount().calls;
     bool drawn = true;
     for (int frame = 6; frame < 1006; ++frame)
         drawn = static_cast<bool>(quiet.draw(frame)) && drawn;
-    const std::size_t after = allocationCount();
+    const std::size_t after = heapCount().calls;
     EXPECT_TRUE(drawn);
     EXPECT_EQ(after - before, 0u);
 }
@@ -143,47 +149,114 @@ TEST(ChangingScene, AnOverlayThatIsUpdatedAllocatesNothing) {
                renderer.updatePicture(*picture, part, number % 24, 3) && renderer.drawOverlay(quads, kTarget);
     };
     bool drawn = draw(0) && draw(1);
-    const std::size_t before = allocationCount();
+    const std::size_t before = heapCount().calls;
     for (int number = 2; number < 1002; ++number)
         drawn = draw(number) && drawn;
-    const std::size_t after = allocationCount();
+    const std::size_t after = heapCount().calls;
     EXPECT_TRUE(drawn);
     EXPECT_EQ(after - before, 0u);
 }
 
-/// One round of all that comes and goes.
-void churn(Renderer& renderer, const Scene& scene, int round) {
-    const Result<ModelId> model = renderer.add(scene, [&] { return Result<Scene>(scene); });
-    ASSERT_TRUE(model);
-    const Result<PlaceId> place = renderer.addPlace(*model, glm::translate(glm::dmat4(1), {1, 0, 0}));
-    ASSERT_TRUE(place && renderer.show({{*model}}, Wait::Yes) && renderer.setVariant(*place, "night"));
-    ASSERT_TRUE(renderer.setTexture(*model, 0, checkers(8, 2, glm::vec4(1), glm::vec4(0))));
-    ASSERT_TRUE(renderer.setMaterial(*model, 1, *renderer.materialOf(*model, 1)));
-    if (round % 100 == 0) {
-        renderer.contextLost();
-        ASSERT_TRUE(renderer.restore(nullGl()));
+/// Steps until all is there; the programs that were made.
+unsigned finish(Renderer& renderer) {
+    unsigned programs = 0;
+    for (bool more = true; more; std::this_thread::yield()) {
+        const Result<StepReport> report = renderer.step();
+        EXPECT_TRUE(report) << toString(report.error());
+        programs += report ? report->programs : 0;
+        more = report && report->more;
     }
+    return programs;
+}
+
+// A model that comes in steps compiles nothing that was there, and no frame on its way allocates.
+TEST(ChangingScene, AFrameAllocatesNothingWhileAModelComesInSteps) {
+    Changing scene(nullGl());
+    ASSERT_TRUE(scene.renderer.addInSteps(balls()));
+    EXPECT_GT(finish(scene.renderer), 0u) << "those of the variant";
+    for (int frame = 0; frame < 6; ++frame)
+        ASSERT_TRUE(scene.draw(frame));
+    const unsigned compiles = scene.renderer.programCounters().compiles;
+    std::size_t frames = 0, allocations = 0;
+    for (int round = 0; round < 20; ++round) {
+        const Result<ModelId> coming = scene.renderer.addInSteps(balls());
+        ASSERT_TRUE(coming);
+        for (bool more = true; more; ++frames) {
+            const Result<StepReport> report = scene.renderer.step();
+            ASSERT_TRUE(report);
+            EXPECT_EQ(report->programs, 0u);
+            more = report->more;
+            const std::size_t before = heapCount().calls;
+            const bool drawn = bool(scene.renderer.draw(viewpoint(6), kTarget));
+            allocations += more ? heapCount().calls - before : 0; // The frame after the last step sorts anew.
+            EXPECT_TRUE(drawn);
+        }
+        EXPECT_TRUE(*scene.renderer.isResident(*coming));
+        scene.renderer.remove(*coming);
+        ASSERT_TRUE(scene.renderer.draw(viewpoint(6), kTarget));
+    }
+    EXPECT_GT(frames, 100u);
+    EXPECT_EQ(allocations, 0u);
+    EXPECT_EQ(scene.renderer.programCounters().compiles, compiles);
+}
+
+void loseContext(Renderer& renderer) {
+    renderer.contextLost();
+    ASSERT_TRUE(renderer.restore(nullGl()));
+}
+
+/// Shows a model at two places, in all that it can become, and removes it.
+void showAndRemove(Renderer& renderer, ModelId model, int round) {
+    const Result<PlaceId> place = renderer.addPlace(model, glm::translate(glm::dmat4(1), {1, 0, 0}));
+    ASSERT_TRUE(place && renderer.show({{model}}, Wait::Yes) && renderer.setVariant(*place, "night"));
+    ASSERT_TRUE(renderer.setTexture(model, 0, checkers(8, 2, glm::vec4(1), glm::vec4(0))));
+    ASSERT_TRUE(renderer.setMaterial(model, 1, *renderer.materialOf(model, 1)));
+    if (round % 100 == 0)
+        loseContext(renderer);
     ASSERT_TRUE(renderer.draw(viewpoint(round), kTarget));
-    ASSERT_TRUE(renderer.setVariant(*model, ""));
+    ASSERT_TRUE(renderer.setVariant(model, ""));
     renderer.removePlace(*place);
     ASSERT_TRUE(renderer.draw(viewpoint(round), kTarget));
-    renderer.remove(*model);
+    renderer.remove(model);
+}
+
+/// How many rounds go by for one in steps: a thread for each takes minutes where the processor is busy.
+/// FRANKEN_LONG=1 in the environment makes every round one.
+int roundsForOneInSteps() { return std::getenv("FRANKEN_LONG") == nullptr ? 40 : 1; }
+
+/// One round of all that comes and goes: at once; in steps; in steps that are cancelled in the middle, or
+/// lose the context there.
+void churn(Renderer& renderer, const Scene& scene, int round) {
+    const SceneSource source = [&] { return Result<Scene>(scene); };
+    const bool inSteps = round % roundsForOneInSteps() == 0;
+    const int number = round / roundsForOneInSteps();
+    const Result<ModelId> model = inSteps ? renderer.addInSteps(scene, source) : renderer.add(scene, source);
+    ASSERT_TRUE(model && renderer.show({{*model}}));
+    for (int step = 0; inSteps && step < number % 23; ++step)
+        ASSERT_TRUE(renderer.step());
+    if (inSteps && number % 5 == 1)
+        loseContext(renderer);
+    if (inSteps && number % 2 == 1)
+        return renderer.remove(*model);
+    finish(renderer);
+    showAndRemove(renderer, *model, round);
 }
 
 TEST(ChangingScene, MemoryIsFlatOverTenThousandRounds) {
     Renderer renderer(nullGl());
     renderer.setLighting(skyLight());
     const Scene scene = balls();
-    const auto heap = [] { return mallinfo2().uordblks; };
-    for (int round = 0; round < 500; ++round)
-        churn(renderer, scene, round);
-    renderer.takeMisses();
-    const std::size_t before = heap();
-    for (int round = 0; round < 10'000; ++round)
-        churn(renderer, scene, round);
-    renderer.takeMisses();
-    EXPECT_EQ(renderer.memory().used(), 0u);
-    EXPECT_LE(heap(), before + 16 * 1024) << "less than two bytes a round";
+    const auto heapAfter = [&](int rounds) {
+        for (int round = 0; round < rounds; ++round)
+            churn(renderer, scene, round);
+        churn(renderer, scene, 0); // Waits for the threads of those that were removed.
+        finish(renderer);
+        renderer.takeMisses();
+        EXPECT_EQ(renderer.memory().used(), 0u);
+        return heapCount().bytes;
+    };
+    const std::size_t before = heapAfter(500);
+    EXPECT_LE(heapAfter(10'000), before + 16 * 1024) << "less than two bytes a round";
 }
 
 } // namespace

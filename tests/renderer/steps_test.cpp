@@ -144,10 +144,16 @@ TEST_P(StepsTest, AnEvictedModelIsReadOnAThreadOfItsOwn) {
     Renderer renderer(recordingGl(gl()));
     std::thread::id reader;
     const SceneSource source = [&] { return reader = std::this_thread::get_id(), Result<Scene>(large()); };
+    renderer.setLighting(sunny());
     const Result<ModelId> model = renderer.add(large(), source);
-    ASSERT_TRUE(model && renderer.memory().evictAll());
+    ASSERT_TRUE(model && renderer.show({{*model}}));
+    const Picture before = drawn(renderer);
+    ASSERT_TRUE(renderer.show({}) && renderer.memory().evictAll());
     ASSERT_TRUE(renderer.show({{*model}}));
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(300)); // The thread is at its end, or not: either is fine.
     stepped(renderer);
+    EXPECT_EQ(compareLit(drawn(renderer), before).max(), 0);
     EXPECT_TRUE(*renderer.isResident(*model));
     EXPECT_NE(reader, std::thread::id());
     EXPECT_NE(reader, std::this_thread::get_id());

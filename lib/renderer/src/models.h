@@ -126,11 +126,14 @@ private:
     void cancelLoading();
     Result<std::size_t> uploadPart();
     Result<void> applyMaterials(Model& model);
+    void noteFailure(Model& model, const Error& error);
 
     Model* find(ModelId id) const;
     const Place* find(PlaceId id) const;
     Place* find(PlaceId id) { return const_cast<Place*>(std::as_const(*this).find(id)); }
     Place& makePlace(Model& model, const glm::dmat4& world);
+    /// The next frame sorts all draws anew, where the model is shown.
+    void notePlaces(const Model& model);
     /// What stands there is placed anew by the next frame.
     void noteMovement(Place& place);
     void erase(Model& model);

@@ -4,6 +4,8 @@
 #include "handle.h"
 #include "models.h"
 
+#include <algorithm>
+
 namespace franken {
 
 const Place* Models::find(PlaceId id) const {
@@ -15,7 +17,7 @@ Place& Models::makePlace(Model& model, const glm::dmat4& world) {
     const auto id = newHandle<PlaceId>();
     Place& place = m_places.emplace(id, Place{.id = id, .model = &model, .world = world}).first->second;
     model.places.push_back(&place);
-    ++m_revision;
+    notePlaces(model);
     return place;
 }
 
@@ -41,9 +43,15 @@ void Models::removePlace(PlaceId id) {
     Place* const place = find(id);
     if (place == nullptr)
         return;
-    std::erase(place->model->places, place);
+    Model& model = *place->model;
+    std::erase(model.places, place);
     m_places.erase(id);
-    ++m_revision;
+    notePlaces(model);
+}
+
+void Models::notePlaces(const Model& model) {
+    if (std::find(m_shown.begin(), m_shown.end(), &model) != m_shown.end())
+        ++m_revision;
 }
 
 void Models::noteMovement(Place& place) {

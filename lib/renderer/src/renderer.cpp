@@ -186,12 +186,16 @@ Result<bool> Renderer::isResident(ModelId model) const {
 
 Result<StepReport> Renderer::step(std::chrono::microseconds budget) {
     return m_state->call("step()", [&]() -> Result<StepReport> {
-        const auto end = std::chrono::steady_clock::now() + budget;
+        const auto begin = std::chrono::steady_clock::now();
+        const auto hasTime = [&] { // Of any budget: a sum with the longest would overflow.
+            return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() -
+                                                                         begin) < budget;
+        };
         StepReport total;
         do {
             if (Result<void> done = m_state->stepOnce(total); !done)
                 return done.error();
-        } while (total.more && !m_state->models.isWaiting() && std::chrono::steady_clock::now() < end);
+        } while (total.more && !m_state->models.isWaiting() && hasTime());
         return total;
     });
 }

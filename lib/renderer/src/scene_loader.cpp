@@ -32,6 +32,7 @@ Result<void> SceneLoader::produce(const std::stop_token& stop, LoaderInput& inpu
             return scene.error();
         input.scene = std::make_shared<const Scene>(*std::move(scene));
     }
+    m_scene = input.scene;
     const Log log = [this](LogLevel level, std::string_view text) {
         const std::scoped_lock lock(m_shared.mutex);
         m_shared.messages.emplace_back(level, text);

@@ -37,7 +37,8 @@ public:
 
     /// Whether take() has an answer. Call it when the piece that was taken last is freed.
     bool isReady();
-    /// The next piece; nothing at the end. Fails as a source does, and as SceneData.
+    /// The next piece, which must not outlive the loader; nothing at the end. Fails as a source does, and as
+    /// SceneData.
     Result<std::optional<Piece>> take();
     /// Messages since the last call: a log belongs to the thread of its application.
     std::vector<std::pair<LogLevel, std::string>> takeMessages();
@@ -65,6 +66,7 @@ private:
     void run(const std::stop_token& stop, LoaderInput input);
     Result<void> produce(const std::stop_token& stop, LoaderInput& input);
 
+    std::shared_ptr<const Scene> m_scene; ///< Of the thread. Stays to the end: pieces point to its pixels.
     Shared m_shared;
     std::jthread m_thread; ///< The last member: it uses the others.
 };

@@ -65,13 +65,8 @@ bool Models::beginLoading() {
 
 Result<std::size_t> Models::uploadPart() {
     Loading& loading = *m_loading;
-    if (m_device.log)
-        for (const auto& [level, text] : loading.loader->takeMessages())
-            m_device.log(level, text);
     if (!loading.upload.isIdle())
         return loading.upload.step(m_device, kStepBytes);
-    if (!loading.loader->isReady())
-        return std::size_t{0};
     Result<std::optional<Piece>> piece = loading.loader->take();
     if (!piece)
         return piece.error();
@@ -88,17 +83,19 @@ Result<std::size_t> Models::uploadPart() {
 Result<std::size_t> Models::step() {
     if (!m_loading && !beginLoading())
         return std::size_t{0};
-    if (m_loading->gpu)
+    if (m_loading->gpu || isWaiting())
         return std::size_t{0};
+    if (m_device.log)
+        for (const auto& [level, text] : m_loading->loader->takeMessages())
+            m_device.log(level, text);
     Result<std::size_t> bytes = checkedOnce(m_device, [&] { return uploadPart(); });
-    if (bytes || bytes.error().code == contextLost().code)
+    if (bytes)
         return bytes;
     Model& model = *m_loading->model;
     cancelLoading();
     if (bytes.error().code == "renderer.memory" && m_device.memory.evictAll())
         return std::size_t{0}; // It is the first of the queue, and begins again.
-    std::erase(m_queue, &model);
-    model.failure = bytes.error();
+    noteFailure(model, bytes.error());
     return bytes;
 }
 
@@ -111,20 +108,28 @@ Result<void> Models::finishLoading() {
     model.gpu = std::move(m_loading->gpu);
     model.outline = std::move(m_loading->outline);
     forgetOldNodes(model);
-    std::erase(m_queue, &model);
     cancelLoading();
-    Result<void> changed = applyMaterials(model);
-    if (changed)
-        changed = applyChanges(model);
+    Result<void> changed = checkedOnce(m_device, [&] {
+        Result<void> applied = applyMaterials(model);
+        return applied ? applyChanges(model) : applied;
+    });
     if (!changed) {
         model.gpu.reset();
-        model.failure = changed.error();
+        noteFailure(model, changed.error());
         return changed;
     }
+    std::erase(m_queue, &model);
     model.scene.reset();
     model.lastShown = m_device.clock;
     setShown(std::move(m_asked));
     return {};
+}
+
+void Models::noteFailure(Model& model, const Error& error) {
+    if (error.code == contextLost().code)
+        return; // It begins again with the next context.
+    std::erase(m_queue, &model);
+    model.failure = error;
 }
 
 /// Materials that were changed since the loader began.
