@@ -39,6 +39,7 @@ const std::vector<Part> kParts = {
     {"lib/assets/src/sky", {"lib/base", "generator", "lib/assets", "lib/assets/src/image"}, {}},
     {"lib/assets/src/image", {"lib/base", "lib/assets"}, {}},
     {"lib/assets/src/mesh", {"lib/base", "lib/assets"}, {}},
+    {"lib/assets/src/font", {"lib/base", "lib/assets"}, {}},
     {"lib/assets/src/animation", {"lib/base", "lib/assets"}, {}},
     {"lib/renderer", {"lib/base", "generator", "lib/programs", "lib/assets"}, {"glm/"}},
     {"platform", {"lib/base"}, {}},

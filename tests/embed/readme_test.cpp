@@ -4,9 +4,12 @@
 #include "franken/baked_sky.h"
 #include "franken/complete.h"
 #include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
+#include "franken/file_writer.h"
 #include "franken/manifest.h"
+#include "franken/overlay_text.h"
 #include "franken/ray_through.h"
 #include "support/draw_scene.h"
+#include "support/font_builder.h"
 #include "support/shapes.h"
 #include "support/shell.h"
 
@@ -90,6 +93,8 @@ TEST_P(Readme, ThingsChange) {
     DrawTarget target = this->target();
     const Image dial = checkers(16, 4, glm::vec4(1), glm::vec4(0)),
                 needle = checkers(8, 2, glm::vec4(1), glm::vec4(0));
+    const std::filesystem::path ttf = emptyTestFolder() / "sound.ttf";
+    ASSERT_TRUE(writeFile(ttf, soundFont().bytes()));
     GLuint video = 0;
     gl().GenTextures(1, &video);
     gl().BindTexture(GL_TEXTURE_2D, video);

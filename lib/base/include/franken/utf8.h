@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/api.h"
+
+#include <cstddef>
+#include <string_view>
+
+namespace FRANKEN_API franken {
+
+struct CodePoint {
+    char32_t code = 0;
+    std::size_t bytes = 0; ///< 0 where the text does not begin with valid UTF-8.
+};
+
+/// The first code point of a text that is not empty (RFC 3629: no overlong forms, no surrogates).
+CodePoint decodeUtf8(std::string_view text);
+
+/// Whether it is shown by nothing: control characters, marks of direction, joiners, and the tags of plane 14
+/// (Unicode's categories Cc, Cf, Zl and Zp, as far as terminals and editors heed them).
+bool isUnseen(char32_t code);
+
+} // namespace franken
