@@ -29,7 +29,8 @@ struct Part {
 const std::vector<Part> kParts = {
     {"lib/base", {}, {}},
     {"generator", {"lib/base"}, {}},
-    {"generator/cli", {"lib/base", "generator"}, {}},
+    {"generator/command_line", {"lib/base"}, {"CLI/"}},
+    {"generator/cli", {"lib/base", "generator", "generator/command_line"}, {}},
     {"lib/programs", {"lib/base", "generator"}, {"GLES2/gl2.h"}},
     {"lib/assets", {"lib/base", "generator"}, {"glm/"}},
     {"lib/assets/src/gltf",
@@ -43,7 +44,10 @@ const std::vector<Part> kParts = {
     {"lib/assets/src/animation", {"lib/base", "lib/assets"}, {}},
     {"lib/renderer", {"lib/base", "generator", "lib/programs", "lib/assets"}, {"glm/"}},
     {"platform", {"lib/base"}, {}},
-    {"examples", {"lib/base", "generator", "lib/programs", "lib/assets", "lib/renderer", "platform"}, {}},
+    {"examples",
+     {"lib/base", "generator", "generator/command_line", "lib/programs", "lib/assets", "lib/renderer",
+      "platform"},
+     {}},
 };
 
 /// Of generator, lib/assets sees the plain structs of lights and materials alone.

@@ -2,10 +2,9 @@
 #include "common/exit_code.h"
 #include "common/progress_bar.h"
 #include "franken/baked_sky.h"
+#include "franken/command_line/mistake.h"
 #include "franken/file_writer.h"
 #include "franken/printable.h"
-
-#include <CLI/CLI.hpp>
 
 #include <iostream>
 
@@ -26,7 +25,7 @@ struct Options {
 };
 
 ExitCode fail(const Error& error, ExitCode code) {
-    std::cerr << "bake: error: " << printable(toString(error)) << "\n";
+    std::cerr << "bake: error: " << printable(error) << "\n";
     return code;
 }
 
@@ -57,22 +56,27 @@ ExitCode run(Options options) {
 int main(int argc, char** argv) {
     Options options;
     CLI::App app(kAbout, "bake");
+    app.set_version_flag("-V,--version", "bake " FRANKEN_VERSION);
     app.footer(kFooter);
     app.add_option("SKY", options.sky, "A .hdr, .exr or .hdre, a cross, or a folder of six faces")
-        ->required();
+        ->required()
+        ->check(cli::notEmpty());
     app.add_option("-o,--output-file", options.output, "The baked sky [SKY's name with .sky]")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(cli::notEmpty());
     app.add_flag("--sun", options.bake.sun, "Takes the sun out and stores it as a directional light");
     app.add_option("--skybox-size", options.bake.skyboxSize,
                    "Edge of the skybox's faces, texels; 0 for no skybox [512]")
-        ->check(CLI::Range(0, kMaxSkyWidth / 4));
+        ->check(cli::wholeNumber(0, kMaxSkyWidth / 4));
     app.add_option("--reflection-size", options.bake.reflectionSize,
                    "Edge of the squares of the sharpest reflection, texels; a Pi 3 takes up to 512 [256]")
-        ->check(CLI::Range(kMinReflectionSize, kMaxReflectionSize));
+        ->check(cli::wholeNumber(kMinReflectionSize, kMaxReflectionSize));
     try {
         app.parse(argc, argv);
+    } catch (const CLI::Success& success) {
+        return app.exit(success);
     } catch (const CLI::ParseError& error) {
-        return static_cast<int>(app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage);
+        return static_cast<int>(fail(cli::mistakeIn(app, error), ExitCode::Usage));
     }
     if (options.output.empty())
         options.output = options.sky.has_stem() ? options.sky.stem().concat(".sky") : "out.sky";

@@ -26,7 +26,7 @@ int main(int argc, char** argv) {
     const auto written =
         sky ? make_model::writeSky(path, width) : make_model::writeGltf(make_model::makeModel(), path);
     if (!written) {
-        std::cerr << "make_model: " << franken::printable(franken::toString(written.error())) << '\n';
+        std::cerr << "make_model: " << franken::printable(written.error()) << '\n';
         return 1;
     }
     return 0;

@@ -11,7 +11,7 @@ namespace {
 
 void logToStderr(LogLevel level, std::string_view message) {
     if (level != LogLevel::Info)
-        std::cerr << "viewer: warning: " << printableLines(message) << "\n";
+        std::cerr << "viewer: warning: " << printableMessage(message) << "\n";
 }
 
 std::optional<Failure> work(Session& session, const Options& options) {
@@ -33,7 +33,7 @@ ExitCode run(const Options& options) {
     const std::optional<Failure> failure = work(session, options);
     if (!failure)
         return ExitCode::Ok;
-    std::cerr << "viewer: error: " << printableLines(toString(failure->error)) << "\n";
+    std::cerr << "viewer: error: " << printable(failure->error) << "\n";
     return failure->code;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "options.h"
 
+#include "franken/command_line/mistake.h"
 #include "franken/file_writer.h"
 #include "franken/generator/choices.h"
-
-#include <CLI/CLI.hpp>
+#include "franken/printable.h"
 
 #include <charconv>
+#include <iostream>
 
 using namespace franken;
 
@@ -114,7 +115,7 @@ void addChoice(CLI::App& app, const char* name, Value& value, const char* text,
            },
            text + (": " + CLI::detail::join(names, ", ")) + " [" + names.front() + "]")
         ->type_name("WORD")
-        ->check(CLI::IsMember(names).description(""));
+        ->check(cli::oneOf(names));
 }
 
 // An option that takes the words of a choice of the permutation, new ones without further ado.
@@ -130,7 +131,9 @@ void addChoice(CLI::App& app, const char* name, Value& value, const char* text, 
 }
 
 void addTarget(CLI::App& app, Options& options) {
-    app.add_option("-o,--output-file", options.output, "The picture [out.png]")->type_name("FILE");
+    app.add_option("-o,--output-file", options.output, "The picture [out.png]")
+        ->type_name("FILE")
+        ->check(cli::notEmpty());
     app.add_option_function<std::string>(
            "--size", [&options](const std::string& text) { options.size = toSize(text); },
            "In pixels [512x512]")
@@ -139,7 +142,7 @@ void addTarget(CLI::App& app, Options& options) {
                    "So many pictures from all around, the camera going to the right round the middle of the "
                    "model: FILE with -1, -2, ... before its extension")
         ->type_name("N")
-        ->check(CLI::Range(1, kMaxTurntable).description(""));
+        ->check(cli::wholeNumber(1, kMaxTurntable));
     app.add_flag("--supersample", options.supersample, "Four samples a pixel");
     addChoice(app, "--backend", options.backend, "What draws",
               {{"osmesa", platform::Backend::OsMesa}, {"egl", platform::Backend::EglSurfaceless}});
@@ -154,6 +157,7 @@ void addPrograms(CLI::App& app, Options& options) {
                    "Makes the programs that this file lists before it draws, as a kiosk does that shows more "
                    "than one model; adds what it lacks at the end")
         ->type_name("FILE")
+        ->check(cli::notEmpty())
         ->excludes("--permutations");
     app.add_flag("--stats", options.stats,
                  "Prints what was compiled before the frame and in it, and the GPU memory that it took")
@@ -161,12 +165,14 @@ void addPrograms(CLI::App& app, Options& options) {
     app.add_option("--snippets", options.snippets,
                    "Composes from the files of this folder, a source tree's generator/glsl, instead of those "
                    "that are built in")
-        ->type_name("FOLDER");
+        ->type_name("FOLDER")
+        ->check(cli::notEmpty());
     auto* const effect =
         app.add_option(
                "--effect", options.effect,
                "Puts an effect into the programs of all surfaces: a file such as examples/effects/fog.glsl")
-            ->type_name("FILE");
+            ->type_name("FILE")
+            ->check(cli::notEmpty());
     app.add_option_function<std::vector<std::string>>(
            "--effect-value",
            [&options](const std::vector<std::string>& texts) {
@@ -185,7 +191,7 @@ void addLoading(CLI::App& app, Options& options) {
            "The most that loading the model may take, and loading the sky, in MiB; what needs more is "
            "refused [240]")
         ->type_name("MIB")
-        ->check(CLI::Range(1u, kMaxMebibytes).description(""));
+        ->check(cli::wholeNumber(1, kMaxMebibytes));
     app.add_flag("--watch", options.watch,
                  "Draws again whenever the model, the height map, the sky, a snippet or the effect changes, "
                  "until it is interrupted; keeps the last good picture on an error")
@@ -220,7 +226,7 @@ void checkTogether(const Options& options) {
 }
 
 void addModel(CLI::App& app, Options& options) {
-    app.add_option("MODEL", options.model, "A .gltf or .glb file")->required();
+    app.add_option("MODEL", options.model, "A .gltf or .glb file")->required()->check(cli::notEmpty());
     app.add_option(
            "--camera", options.camera,
            "One of the file's cameras, by its name, its node's name, or its index in the file [the first]")
@@ -259,7 +265,8 @@ void addLights(CLI::App& app, Options& options) {
            "--skybox", options.skybox,
            "A sky that lights the model and is seen behind it: .hdr, cross, a folder of six faces, or what "
            "bake made of one")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(cli::notEmpty());
     app.add_flag("--sky-sun", options.skySun,
                  "Takes the sun out of the sky, so that it is one more sun with sharp highlights");
 }
@@ -297,7 +304,8 @@ void addHeights(CLI::App& app, Options& options) {
     app.add_option(
            "--height-map", options.heightMap,
            "Moves the vertices of all materials along their normals by this PNG or JPEG; mid-grey stays")
-        ->type_name("FILE");
+        ->type_name("FILE")
+        ->check(cli::notEmpty());
     app.add_option_function<std::string>(
            "--height-scale",
            [&options](const std::string& text) { options.heightScale = toNumber("--height-scale", text); },
@@ -339,6 +347,7 @@ std::filesystem::path outputOf(const Options& options, int number) {
 std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* argv) {
     Options options;
     CLI::App app(kAbout, "viewer");
+    app.set_version_flag("-V,--version", "viewer " FRANKEN_VERSION);
     app.footer(kFooter);
     addModel(app, options);
     addLights(app, options);
@@ -352,8 +361,12 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     try {
         app.parse(argc, argv);
         checkTogether(options);
+    } catch (const CLI::Success& success) {
+        app.exit(success);
+        return ExitCode::Ok;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
+        std::cerr << "viewer: error: " << printable(cli::mistakeIn(app, error)) << "\n";
+        return ExitCode::Usage;
     }
     return options;
 }

@@ -91,7 +91,8 @@ Result<void> applyHeights(Scene& scene, const Options& options) {
         return bytes.error();
     Result<Image> image = decodeImage(*bytes, kMaxHeightMapSize);
     if (!image)
-        return image.error();
+        return Error{image.error().code, options.heightMap.string(), image.error().what,
+                     image.error().remedy};
     return displace(scene, {.image = *std::move(image), .scale = options.heightScale, .ground = 0.5f});
 }
 

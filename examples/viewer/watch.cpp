@@ -2,6 +2,7 @@
 #include "watch.h"
 
 #include "file_times.h"
+#include "franken/printable.h"
 
 #include <chrono>
 #include <csignal>
@@ -35,10 +36,10 @@ void watch(Session& session, const Options& options) {
     while (stopped == 0) {
         const FileTimes drawn = settledTimes(options);
         if (const std::optional<Failure> failure = session.draw())
-            std::cerr << "viewer: error: " << toString(failure->error)
+            std::cerr << "viewer: error: " << franken::printable(failure->error)
                       << "\nviewer: kept the last good picture\n";
         else
-            std::cerr << "viewer: wrote " << options.output.string() << "\n";
+            std::cerr << "viewer: wrote " << franken::printable(options.output.string()) << "\n";
         while (stopped == 0 && inputTimes(options) == drawn)
             waitALittle();
     }

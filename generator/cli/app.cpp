@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app.h"
 
+#include "franken/command_line/mistake.h"
 #include "franken/generator/budget.h"
-#include "franken/nearest.h"
 #include "gpu.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 namespace franken::cli {
 namespace {
 
+constexpr long long kMostPermutations = 1'000'000'000; // More than anyone can wait for.
 constexpr char kAbout[] = "Writes, explains and checks the GLSL ES 1.00 programs of FrankenShader.";
 constexpr char kExitCodes[] =
     "A NAME is made of words: basecolor.normal+ambient+sun1 (see 'frankenshader list --words').\n"
@@ -34,21 +35,6 @@ Shard parseShard(const std::string& text) {
     return shard;
 }
 
-// One of these words; the nearest is offered for any other.
-CLI::Validator oneOf(const std::vector<std::string>& words) {
-    CLI::Validator validator(
-        [words](const std::string& text) -> std::string {
-            if (std::find(words.begin(), words.end(), text) != words.end())
-                return {};
-            const std::vector<std::string_view> views(words.begin(), words.end());
-            const std::string_view nearest = nearestWord(text, views);
-            return "'" + text + "' is none of " + CLI::detail::join(words, ", ") +
-                   (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?");
-        },
-        "");
-    return validator;
-}
-
 void addJson(CLI::App& app, bool& json) {
     app.add_flag("--json", json, "One JSON document, with a schema version; errors are one too");
 }
@@ -66,7 +52,8 @@ void addFilters(CLI::App& app, SelectionOptions& selection) {
              "Words as in a name; '!' forbids one: 'normal+sun2+!spots'; may be repeated");
     app.add_option("--limit", selection.limit,
                    "At most so many, 0 for no limit [100 of the whole space, else none]")
-        ->type_name("N");
+        ->type_name("N")
+        ->check(wholeNumber(0, kMostPermutations));
     app.add_option_function<std::string>(
            "--shard", [&selection](const std::string& text) { selection.shard = parseShard(text); },
            "Every N-th of them, from the I-th on: 2/8 is the second of eight parts")
@@ -100,6 +87,7 @@ void addSources(CLI::App& app, SelectionOptions& selection, bool names) {
     auto* manifest =
         app.add_option("--manifest", selection.manifest, "Names from a file, one a line; - is standard input")
             ->type_name("FILE")
+            ->check(notEmpty())
             ->excludes(covering);
     if (names)
         app.add_option("NAME", selection.names, "Permutations by name, or by key (0x...)")
@@ -126,7 +114,8 @@ void addDump(CLI::App& app, DumpOptions& options) {
     auto* output = dump.add_option("-o,--output", options.output,
                                    "The folder for NAME.vert, NAME.frag, NAME.shader_test and manifest.json, "
                                    "or the file for json and c; without it, it goes to standard output")
-                       ->type_name("PATH");
+                       ->type_name("PATH")
+                       ->check(notEmpty());
     const std::map<std::string, Stage> stages = {{"vertex", Stage::Vertex}, {"fragment", Stage::Fragment}};
     auto* stage = dump.add_option_function<std::string>(
         "--stage", [&options, stages](const std::string& text) { options.stage = stages.at(text); },
@@ -145,6 +134,7 @@ void addDump(CLI::App& app, DumpOptions& options) {
     dump.add_option("--depfile", options.depfile,
                     "A file for make and ninja that says what the output was made from")
         ->type_name("FILE")
+        ->check(notEmpty())
         ->needs(output);
     dump.footer("Example: frankenshader dump --covering -o shaders");
 }
@@ -163,6 +153,7 @@ void addDiff(CLI::App& app, DiffOptions& options) {
     diff.add_option("--against", options.against,
                     "A folder that 'dump -o' wrote, by this version or another: all its programs")
         ->type_name("DIR")
+        ->check(notEmpty())
         ->excludes(names);
     addJson(diff, options.json);
     diff.footer("Example: frankenshader diff normal+sun1 normal+sun1+fast");

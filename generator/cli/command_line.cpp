@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app.h"
 #include "effects.h"
-#include "franken/nearest.h"
+#include "franken/command_line/mistake.h"
 
 #include <algorithm>
 
 namespace franken::cli {
 namespace {
-
-constexpr char kSeeHelp[] = "see 'frankenshader help'";
 
 void demand(const SelectionOptions& selection) {
     if (selection.empty())
@@ -19,62 +17,6 @@ void demand(const DumpOptions& dump) {
     demand(dump.selection);
     if (dump.chosen() == DumpFormat::Files && dump.output.empty())
         throw CLI::RequiredError("-o DIR, which '--format files' writes to,");
-}
-
-std::vector<std::string> commandsOf(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-        names.push_back(command->get_name());
-    return names;
-}
-
-std::vector<std::string> optionsOf(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options()) {
-        for (const std::string& name : option->get_lnames())
-            names.push_back("--" + name);
-        for (const std::string& name : option->get_snames())
-            names.push_back("-" + name);
-    }
-    return names;
-}
-
-std::string nearestOf(const std::string& word, const std::vector<std::string>& words) {
-    const std::vector<std::string_view> views(words.begin(), words.end());
-    return std::string(nearestWord(word, views));
-}
-
-const CLI::App& commandOf(const CLI::App& app) {
-    const std::vector<CLI::App*> parsed = const_cast<CLI::App&>(app).get_subcommands();
-    return parsed.empty() ? app : *parsed.front();
-}
-
-// What the parser could do nothing with: the first such word, and what was probably meant.
-Error unexpected(const CLI::App& app, const std::string& word) {
-    const CLI::App& command = commandOf(app);
-    const bool option = word.starts_with('-');
-    const bool isCommand = !option && &command == &app;
-    const std::string name = word.substr(0, word.find('='));
-    const std::string nearest = nearestOf(name, option ? optionsOf(command) : commandsOf(app));
-    Error error{"usage", "", "", kSeeHelp};
-    if (isCommand)
-        error.what = "'" + word + "' is no command; there are " + CLI::detail::join(commandsOf(app), ", ");
-    else if (option)
-        error.what =
-            "'" + word + "' is no option" + (&command == &app ? "" : " of '" + command.get_name() + "'");
-    else
-        error.what = "'" + word + "' is one argument too many for '" + command.get_name() + "'";
-    if ((option || isCommand) && !nearest.empty())
-        error.remedy = "did you mean '" + nearest + "'?";
-    return error;
-}
-
-// In the order in which they were typed.
-std::vector<std::string> leftOver(const CLI::App& app) {
-    std::vector<std::string> words = commandOf(app).remaining(true);
-    if (words.empty())
-        words = app.remaining(true);
-    return words;
 }
 
 bool asksForJson(int argc, const char* const* argv) {
@@ -137,16 +79,11 @@ Command parseCommandLine(int argc, const char* const* argv, Console& console) {
         if (const Result<void> added = addEffects(parsed.effects); !added)
             return console.error(added.error()), ExitCode::Refused;
         return commandFrom(parsed);
-    } catch (const CLI::ExtrasError& error) {
-        const std::vector<std::string> words = leftOver(parsed.app);
-        console.error(words.empty() ? Error{"usage", "", error.what(), kSeeHelp}
-                                    : unexpected(parsed.app, words.front()));
-        return ExitCode::Usage;
     } catch (const CLI::Success& success) {
         parsed.app.exit(success); // Help, or the version.
         return ExitCode::Ok;
     } catch (const CLI::ParseError& error) {
-        console.error({"usage", "", error.what(), kSeeHelp});
+        console.error(mistakeIn(parsed.app, error));
         return ExitCode::Usage;
     }
 }

@@ -71,10 +71,7 @@ void Console::error(const Error& error) {
         return;
     }
     m_errors.push_back(error);
-    // `what` has lines of our own; a file's name has none.
-    const Error shown{error.code, printable(error.where), printableLines(error.what),
-                      printable(error.remedy)};
-    std::cerr << "frankenshader: error: " << toString(shown) << '\n';
+    std::cerr << "frankenshader: error: " << printable(error) << '\n';
 }
 
 void Console::endErrors() const {

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "diff_folder.h"
 
+#include "folder_manifest.h"
 #include "franken/file.h"
 #include "program.h"
 #include "selection.h"
 #include "unified_diff.h"
 
-#include <nlohmann/json.hpp>
-
 namespace franken::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Json = nlohmann::json;
 
 constexpr std::size_t kMaxManifestBytes = std::size_t{64} << 20U; // Of 15,000 programs.
 constexpr std::size_t kMaxTextBytes = std::size_t{1} << 20U;
@@ -29,23 +26,18 @@ Result<std::string> readText(const fs::path& file, std::size_t maxBytes) {
     return std::string(bytes->begin(), bytes->end());
 }
 
-std::string member(const Json& object, const char* name) {
-    const auto found = object.find(name);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-Result<std::string> readStage(const fs::path& folder, const Json& program, const char* stage) {
-    const fs::path name = member(program, stage);
+Result<std::string> readStage(const fs::path& folder, const ListedProgram& program, const char* stage,
+                              const fs::path& name) {
     if (name.empty() || name.has_parent_path())
         return refused(folder / "manifest.json", "it names no file beside it for the " + std::string(stage) +
-                                                     " shader of '" + member(program, "name") + "'");
+                                                     " shader of '" + program.name + "'");
     return readText(folder / name, kMaxTextBytes);
 }
 
-Result<FolderProgram> compare(const fs::path& folder, const Json& json) {
-    FolderProgram result{member(json, "name"), "", "", ""};
-    const Result<std::string> vertex = readStage(folder, json, "vertex");
-    const Result<std::string> fragment = readStage(folder, json, "fragment");
+Result<FolderProgram> compare(const fs::path& folder, const ListedProgram& program) {
+    FolderProgram result{program.name, "", "", ""};
+    const Result<std::string> vertex = readStage(folder, program, "vertex", program.vertex);
+    const Result<std::string> fragment = readStage(folder, program, "fragment", program.fragment);
     if (!vertex || !fragment)
         return (vertex ? fragment : vertex).error();
     const Result<Canonical> canonical = readName(result.name);
@@ -68,14 +60,12 @@ Result<std::vector<FolderProgram>> compareFolder(const fs::path& folder) {
     const Result<std::string> text = readText(file, kMaxManifestBytes);
     if (!text)
         return text.error();
-    const Json manifest = Json::parse(*text, nullptr, false);
-    const Json programs = manifest.is_object() ? manifest.value("programs", Json()) : Json();
-    if (!programs.is_array())
-        return refused(file, "it lists no programs");
+    const Result<std::vector<ListedProgram>> programs = parseFolderManifest(*text);
+    if (!programs)
+        return refused(file, programs.error().what);
     std::vector<FolderProgram> all;
-    for (const Json& program : programs) {
-        Result<FolderProgram> compared =
-            program.is_object() ? compare(folder, program) : refused(file, "it lists what is no program");
+    for (const ListedProgram& program : *programs) {
+        Result<FolderProgram> compared = compare(folder, program);
         if (!compared)
             return compared.error();
         all.push_back(*std::move(compared));

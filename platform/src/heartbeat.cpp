@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "franken/platform/heartbeat.h"
 
-#include "descriptor.h"
 #include "franken/crc32.h"
+#include "franken/file_writer.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
+#include <string_view>
 
 namespace franken::platform {
 
@@ -21,20 +17,12 @@ Result<void> writeHeartbeat(const std::string& file, std::uint64_t frames, std::
     char line[48];
     const int length =
         std::snprintf(line, sizeof line, "%llu %08x\n", static_cast<unsigned long long>(frames), checksum);
-    const std::string part = file + ".part";
-    const auto failed = [&] {
-        Error error{"heartbeat.file", file, std::strerror(errno),
-                    "name a file on a disk that has room, such as /run"};
-        unlink(part.c_str());
-        return error;
-    };
-    {
-        const FileDescriptor out(open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-        if (!out || write(out.get(), line, static_cast<std::size_t>(length)) != length)
-            return failed();
-    }
-    if (rename(part.c_str(), file.c_str()) != 0)
-        return failed();
+    // Later: what matters is that it changes, not that it outlives the power.
+    const Result<void> written =
+        writeFile(file, std::string_view(line, static_cast<std::size_t>(length)), FileWriter::Sync::Later);
+    if (!written)
+        return Error{"heartbeat.file", file, written.error().what,
+                     "name a file on a disk that has room, such as /run"};
     return {};
 }
 

@@ -229,6 +229,10 @@ TEST_F(FaultTest, WhatIsNoManifestIsLeftAlone) {
         EXPECT_EQ(writeManifest(file(), *parseManifest("sun1", "")).error().code, "manifest.foreign") << what;
         EXPECT_EQ(readText(file()), text) << what;
     }
+    std::filesystem::remove(file());
+    ASSERT_EQ(mkfifo(file().c_str(), 0600), 0);
+    EXPECT_EQ(appendToManifest(file(), *parseManifest("sun1", "")).error().code, "manifest.foreign")
+        << "a pipe that nobody reads is not waited for";
 }
 
 TEST_F(FaultTest, WhatWasOursIsWrittenAnew) {

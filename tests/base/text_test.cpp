@@ -23,7 +23,10 @@ TEST(Printable, EscapesWhatSteersATerminal) {
              {"\x9bm", "\\x9bm"},                           // The same byte alone is no UTF-8.
              {"a\xe2\x80\xaetxt.exe", "a\\u{202e}txt.exe"}, // U+202E turns the direction of writing.
              {"\xe2\x81\xa6\xe2\x80\x8b\xef\xbb\xbf", "\\u{2066}\\u{200b}\\u{feff}"},
-             {"\xf3\xa0\x81\x81", "\\u{e0041}"}, // A tag.
+             {"\xf3\xa0\x81\x81", "\\u{e0041}"},                                    // A tag.
+             {"a\xcd\x8f\xef\xb8\x8f\xe3\x85\xa4", "a\\u{034f}\\u{fe0f}\\u{3164}"}, // Seen by nobody.
+             {"\xc2\xad\xe2\xa0\x80\xf3\xa0\x84\x80", "\\u{00ad}\\u{2800}\\u{e0100}"},
+             {"\xe2\x80\xa8\xe2\x80\xa9\xc2\x85", "\\u{2028}\\u{2029}\\u{0085}"}, // Line ends.
              {"M\xc3\xbcnchen \xe6\xb0\xb4 \xf0\x9f\x8c\x8a", "M\xc3\xbcnchen \xe6\xb0\xb4 \xf0\x9f\x8c\x8a"},
              {"\xc0\xaf", "\\xc0\\xaf"},          // Overlong.
              {"\xed\xa0\x80", "\\xed\\xa0\\x80"}, // A surrogate.
@@ -37,6 +40,13 @@ TEST(Printable, KeepsLinesWhereTheyAreWanted) {
     EXPECT_EQ(printableLines("a\n\tb\x1b"), "a\n\tb\\x1b");
     EXPECT_EQ(withoutByteOrderMark("\xEF\xBB\xBFsun1"), "sun1");
     EXPECT_EQ(withoutByteOrderMark("sun1\xEF\xBB\xBF"), "sun1\xEF\xBB\xBF");
+}
+
+TEST(Printable, ANameForgesNoMessage) {
+    EXPECT_EQ(printableMessage("one\n  two\nerror: three\n\nfour\x1b"),
+              "one\n  two\n  error: three\n\n  four\\x1b");
+    EXPECT_EQ(printable(Error{"a.b", "x\ny", "what\nerror: no\x1b", "do\nit"}),
+              "x\\ny: what\n  error: no\\x1b (do\\nit) [a.b]");
 }
 
 struct Meant {
@@ -58,6 +68,9 @@ TEST(Nearest, OffersWhatWasProbablyMeant) {
              {"lits", "list"},
              {"base-color", "basecolor"},
              {"--wiht", "--with"},
+             {"LIST", "list"},
+             {"Normal", "normal"},
+             {"SUN7", "sun4"},
              {"xyzzy", ""},
              {"", ""},
              {"reflection", ""},

@@ -103,14 +103,19 @@ TEST_F(Viewer, AHeightMapIsAnOrdinaryFileOfModestSize) {
     EXPECT_EQ(runIn(m_folder, "mkfifo pipe").code, 0);
     std::ofstream(m_folder / "empty.png");
     std::ofstream(m_folder / "large.png").seekp(80 << 20).put(0);
+    // A header alone: 100,000 pixels wide and high.
+    std::ofstream(m_folder / "huge.png")
+        << std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\x01\x86\xa0\0\x01\x86\xa0\x08\x06\0\0\0", 29)
+        << "crc.";
     const bool device = runIn(m_folder, "mknod zero c 1 5 && head -c 1 zero >/dev/null").code == 0;
-    for (const std::string map : {"folder", "pipe", "zero", "empty.png", "large.png", "missing.png"}) {
+    for (const std::string map :
+         {"folder", "pipe", "zero", "empty.png", "large.png", "huge.png", "missing.png"}) {
         if (map == "zero" && !device)
             continue;
         const Outcome outcome = runIn(m_folder, "timeout 20 " VIEWER " '" + std::string(kUrn) +
                                                     "' --size 8x8 --height-map " + map);
         EXPECT_EQ(outcome.code, 3) << map << outcome.err;
-        EXPECT_NE(outcome.err.find("viewer: error: "), std::string::npos) << map;
+        EXPECT_NE(outcome.err.find("viewer: error: " + map + ": "), std::string::npos) << outcome.err;
     }
 }
 

@@ -10,6 +10,12 @@ namespace {
 
 using CliMistakes = Cli;
 
+#if defined(__SANITIZE_ADDRESS__)
+const std::string kAddressLimit; // A sanitizer reserves terabytes of addresses.
+#else
+const std::string kAddressLimit = "ulimit -v 200000 && ";
+#endif
+
 struct Mistake {
     const char* arguments;
     const char* says;
@@ -38,6 +44,19 @@ TEST_F(CliMistakes, OffersWhatWasProbablyMeant) {
              {"dump 0xnothing", "this is not a key", 3},
              {"diff sun1", "2 required"},
              {"diff", "--against"},
+             {"LIST", "did you mean 'list'?"},
+             {"-v", "'-v' is no option (did you mean '-V'?)"},
+             {"dump sun1 -O x", "did you mean '-o'?"},
+             {"list -x", "'-x' is no option of 'list' (see 'frankenshader list --help')"},
+             {"explain --jsno", "did you mean '--json'?"},
+             {"diff --agianst x", "did you mean '--against'?"},
+             {"cost sun1 --gpu vc3", "did you mean 'vc4'?"},
+             {"dump Normal+sun1", "did you mean 'normal'?", 3},
+             {"list --limit -1", "'-1' is not a whole number"},
+             {"list --limit 99999999999999999999", "is not a whole number"},
+             {"list --manifest ''", "--manifest: the name is empty"},
+             {"dump sun1 -o ''", "the name is empty"},
+             {"diff --against ''", "the name is empty"},
              {"dump sun1 --format files", "-o DIR"},
          }) {
         const Outcome outcome = run(arguments);
@@ -139,14 +158,33 @@ TEST_F(CliMistakes, TakesAByteOrderMark) {
     EXPECT_EQ(run("list --manifest warm.txt").out, "sun1\n");
 }
 
+// As long as a manifest may be, and nothing that is in one.
+TEST_F(CliMistakes, ComparesAFolderInLittleMemory) {
+    const auto times = [](std::size_t count, const std::string& text) {
+        std::string all;
+        while (all.size() < count * text.size())
+            all += text;
+        return all;
+    };
+    constexpr std::size_t kMany = 10'000'000;
+    std::filesystem::create_directory(path("set"));
+    for (const auto& [text, says] : {
+             std::pair{times(kMany, "["), "nests deeper"},
+             {"{\"programs\": [" + times(kMany, "{},") + "{}]}", "more programs than a folder has"},
+             {"{\"programs\": [" + times(kMany, "[],") + "[]]}", "what is no program"},
+             {"{\"programs\": [{\"name\": \"" + times(kMany, "x") + "\"}]}", "longer than a path"},
+         }) {
+        std::ofstream(path("set/manifest.json")) << text;
+        const Outcome outcome =
+            shell(kAddressLimit + "exec " + std::string(kProgram) + " diff --against set");
+        EXPECT_EQ(outcome.code, 3) << says;
+        EXPECT_NE(outcome.err.find(says), std::string::npos) << outcome.err.substr(0, 1000);
+    }
+}
+
 TEST_F(CliMistakes, ReadsNoMoreThanAListOfNamesHas) {
-#if defined(__SANITIZE_ADDRESS__)
-    const std::string limit; // A sanitizer reserves terabytes of addresses.
-#else
-    const std::string limit = "ulimit -v 200000 && ";
-#endif
     const auto memoryOf = [&](const std::string& arguments) {
-        const Outcome outcome = shell(limit + "exec " + std::string(kProgram) + " " + arguments);
+        const Outcome outcome = shell(kAddressLimit + "exec " + std::string(kProgram) + " " + arguments);
         EXPECT_EQ(outcome.code, 3) << arguments << outcome.err;
         EXPECT_NE(outcome.err.find("manifest.size"), std::string::npos) << outcome.err;
     };

@@ -121,6 +121,13 @@ TEST(Heartbeat, IsReplacedAsAWhole) {
     EXPECT_EQ(crc32("123456789", 9), 0xCBF43926u);
     ASSERT_TRUE(writeHeartbeat(file, 7, 0xAB));
     EXPECT_EQ(test::readText(file), "7 000000ab\n");
+    for (const char* guess : {".part", ".new", ".tmp", "~"}) {
+        std::ofstream(file + ".victim") << "precious";
+        std::filesystem::create_symlink(file + ".victim", file + guess);
+        ASSERT_TRUE(writeHeartbeat(file, 8, 0xAB));
+        EXPECT_EQ(test::readText(file + ".victim"), "precious") << "a planted link is not followed";
+    }
+    EXPECT_EQ(test::readText(file), "8 000000ab\n");
     EXPECT_EQ(writeHeartbeat("/proc/none/heartbeat", 1, 2).error().code, "heartbeat.file");
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "franken/file.h"
 
+#include "franken/printable.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -15,13 +17,14 @@ namespace {
 namespace fs = std::filesystem;
 
 Error openError(const fs::path& path, const std::string& reason) {
-    return {"file.open", path.string(), "the file " + path.filename().string() + " cannot be read: " + reason,
+    return {"file.open", path.string(),
+            "the file " + printable(path.filename().string()) + " cannot be read: " + reason,
             "check that it exists, is a file, and may be read"};
 }
 
 Error sizeError(const fs::path& path, std::uintmax_t size, std::size_t maxBytes) {
     return {"file.size", path.string(),
-            "the file " + path.filename().string() + " has " + std::to_string(size) +
+            "the file " + printable(path.filename().string()) + " has " + std::to_string(size) +
                 " bytes, over the limit of " + std::to_string(maxBytes),
             "make it smaller, or raise the limit"};
 }

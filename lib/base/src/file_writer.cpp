@@ -2,6 +2,7 @@
 #include "franken/file_writer.h"
 
 #include "franken/file.h"
+#include "franken/printable.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -256,7 +257,7 @@ Result<void> checkNotInput(const fs::path& output, std::span<const fs::path> inp
         if (same || inside)
             return Error{"file.overwrite", output.string(),
                          "the output would overwrite " + std::string(inside ? "a file of " : "") +
-                             input.string() + ", which is an input",
+                             printable(input.string()) + ", which is an input",
                          "choose another output file"};
     }
     return {};

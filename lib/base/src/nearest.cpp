@@ -51,18 +51,27 @@ std::size_t distance(const Numbered& a, const Numbered& b, std::string_view text
     return series ? editDistance(a.stem, b.stem) + (a.number != b.number ? 1 : 0) : editDistance(text, word);
 }
 
+std::string inLowerCase(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
 } // namespace
 
-std::string_view nearestWord(std::string_view text, std::span<const std::string_view> words) {
-    text = text.substr(0, kMaxWord);
+std::string_view nearestWord(std::string_view typed, std::span<const std::string_view> words) {
+    const std::string text = inLowerCase(typed.substr(0, kMaxWord));
     const Numbered wrong = split(text);
     std::string_view best;
     std::tuple<std::size_t, long> least{};
     for (const std::string_view word : words) {
-        const Numbered right = split(word);
+        const std::string lower = inLowerCase(word);
+        const Numbered right = split(lower);
         // Who leaves the number out means the first of the series, not none.
         const long apart = std::labs((wrong.number < 0 ? 1 : wrong.number) - right.number);
-        const std::tuple<std::size_t, long> score{distance(wrong, right, text, word), apart};
+        const std::tuple<std::size_t, long> score{distance(wrong, right, text, lower), apart};
         if (best.empty() || score < least) {
             best = word;
             least = score;

@@ -50,4 +50,19 @@ std::string printable(std::string_view text) { return shown(text, ""); }
 
 std::string printableLines(std::string_view text) { return shown(text, "\n\t"); }
 
+std::string printableMessage(std::string_view text) {
+    std::string message;
+    for (const char c : printableLines(text)) {
+        if (!message.empty() && message.back() == '\n' && c != ' ' && c != '\n')
+            message += "  ";
+        message += c;
+    }
+    return message;
+}
+
+std::string printable(const Error& error) {
+    return toString(
+        {error.code, printable(error.where), printableMessage(error.what), printable(error.remedy)});
+}
+
 } // namespace franken

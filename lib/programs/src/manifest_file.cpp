@@ -40,6 +40,8 @@ Error foreign(const fs::path& file, const std::string& why) {
 Result<Existing> look(const fs::path& file, const SnippetSet& snippets) {
     std::error_code ignored;
     const fs::file_status status = fs::status(file, ignored);
+    if (fs::is_fifo(status)) // Opening it would wait for a reader, and it keeps nothing.
+        return foreign(file, "it is a pipe");
     if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
         return Existing{Existing::Kind::Stream, "", {}};
     auto bytes = readFileIfThere(file, kMaxManifestBytes);

@@ -41,6 +41,8 @@ std::vector<MalformedFile> pngs() {
         model("png-8193-high", png(1, 8193)),
         model("png-claims-8192-x-8192",
               kPngMagic + pngHeader(8192, 8192, 16, 6) + pngChunk("IDAT", deflatedZeros(99)) + end),
+        model("png-100000-x-100000",
+              kPngMagic + pngHeader(100000, 100000) + pngChunk("IDAT", deflatedZeros(99)) + end),
         model("png-depth-3", kPngMagic + pngHeader(16, 16, 3) + pngChunk("IDAT", deflatedZeros(999)) + end),
         model("png-type-9", kPngMagic + pngHeader(16, 16, 8, 9) + pngChunk("IDAT", deflatedZeros(999)) + end),
         model("png-first-data-chunk-empty",
