@@ -105,12 +105,12 @@ std::optional<Failure> Session::readModel(Subject& subject) {
     if (!m_options.variant.empty())
         if (Result<void> chosen = applyVariant(subject.scene, m_options.variant); !chosen)
             return Failure{chosen.error(), ExitCode::Usage};
+    if (Result<void> displaced = applyHeights(subject.scene, m_options); !displaced)
+        return Failure{displaced.error(), ExitCode::Refused};
     if (Result<void> posed = applyAnimation(subject.scene, m_options); !posed)
         return Failure{posed.error(), ExitCode::Usage};
     if (subject.scene.instances.empty())
         return Failure{nothingToDraw(m_options), ExitCode::Refused};
-    if (Result<void> displaced = applyHeights(subject.scene, m_options); !displaced)
-        return Failure{displaced.error(), ExitCode::Refused};
     const Result<Camera> camera = chooseCamera(subject.scene, m_options);
     if (!camera)
         return Failure{camera.error(), ExitCode::Usage};

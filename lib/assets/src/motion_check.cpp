@@ -11,7 +11,7 @@ namespace franken {
 namespace {
 
 Error fault(const std::string& where, const char* what) {
-    return {"scene.data", where, what, "see animation.h for the values of each member"};
+    return {"scene.data", where, what, "see animation.h and deform.h for the values of each member"};
 }
 
 Result<void> checkSampler(const AnimationSampler& sampler, const std::string& where) {
@@ -52,12 +52,95 @@ Result<void> checkAnimation(const Scene& scene, const Animation& animation, cons
     return {};
 }
 
+Result<void> checkSkin(const Scene& scene, const Skin& skin, const std::string& where) {
+    const auto isNode = [&](int node) { return isIndex(node, scene.nodes.size()); };
+    if (skin.joints.empty() || !std::all_of(skin.joints.begin(), skin.joints.end(), isNode))
+        return fault(where + ".joints", "there must be one at least, and each must be a node");
+    if (skin.inverseBinds.size() != skin.joints.size() ||
+        !std::all_of(skin.inverseBinds.begin(), skin.inverseBinds.end(), isFinite<glm::mat4>))
+        return fault(where + ".inverseBinds", "there must be one for each joint, of finite numbers");
+    return {};
+}
+
+/// Every array of `changed` is empty, or as long as the one of `whole`.
+bool fit(const Vertices& changed, const Vertices& whole) {
+    const auto fits = [](const auto& left, const auto& right) {
+        return left.empty() || (left.size() == right.size() &&
+                                std::all_of(left.begin(), left.end(), [](const auto& value) {
+                                    return isFinite(value);
+                                }));
+    };
+    return fits(changed.positions, whole.positions) && fits(changed.normals, whole.normals) &&
+           fits(changed.tangents, whole.tangents) && fits(changed.uv[0], whole.uv[0]) &&
+           fits(changed.uv[1], whole.uv[1]) && fits(changed.colors, whole.colors);
+}
+
+Result<void> checkDeformation(const Primitive& primitive, const std::string& where) {
+    const Deformation& deformation = *primitive.deformation;
+    const Vertices& bind = deformation.bind;
+    const std::size_t vertices = primitive.positions.size();
+    const auto hasAll = [&](const auto& values) { return values.empty() || values.size() == vertices; };
+    if (bind.positions.size() != vertices || bind.normals.size() != vertices || !hasAll(bind.tangents) ||
+        bind.tangents.size() != primitive.tangents.size() || !hasAll(bind.uv[0]) || !hasAll(bind.uv[1]) ||
+        !hasAll(bind.colors) || !fit(bind, bind))
+        return fault(where + ".bind", "it must have finite values of as many vertices as the primitive");
+    for (std::size_t t = 0; t < deformation.targets.size(); ++t)
+        if (!fit(deformation.targets[t], bind))
+            return fault(elementOf(where + ".targets", t),
+                         "each of its arrays must be empty or fit that of bind, and be finite");
+    const auto isFiniteInfluence = [](const Influence& influence) { return std::isfinite(influence.weight); };
+    if (deformation.influences.size() != deformation.influencesPerVertex * vertices ||
+        !std::all_of(deformation.influences.begin(), deformation.influences.end(), isFiniteInfluence))
+        return fault(where + ".influences", "there must be influencesPerVertex finite ones for each vertex");
+    if (deformation.flat && vertices % 3 != 0)
+        return fault(where + ".flat", "there must be three vertices for each triangle");
+    return {};
+}
+
+std::size_t jointsOf(const Deformation& deformation) {
+    std::size_t joints = 0;
+    for (const Influence& influence : deformation.influences)
+        joints = std::max<std::size_t>(joints, influence.joint + std::size_t{1});
+    return joints;
+}
+
+Result<void> checkSkinOf(const Scene& scene, const Instance& instance, const std::string& where) {
+    if (instance.skin == kNone)
+        return {};
+    if (!isIndex(instance.skin, scene.skins.size()) || instance.nodeIndex == kNone)
+        return fault(where + ".skin", "there is no such skin, or the instance has no node");
+    const std::size_t joints = scene.skins[static_cast<std::size_t>(instance.skin)].joints.size();
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+        if (primitive.deformation && jointsOf(*primitive.deformation) > joints)
+            return fault(where + ".skin", "a vertex of its mesh names a joint that it does not have");
+    return {};
+}
+
+Result<void> checkDeformations(const Scene& scene) {
+    for (std::size_t m = 0; m < scene.meshes.size(); ++m)
+        for (std::size_t p = 0; p < scene.meshes[m].primitives.size(); ++p)
+            if (const Primitive& primitive = scene.meshes[m].primitives[p]; primitive.deformation)
+                if (Result<void> checked = checkDeformation(
+                        primitive, elementOf(elementOf("meshes", m) + ".primitives", p) + ".deformation");
+                    !checked)
+                    return checked;
+    for (std::size_t i = 0; i < scene.instances.size(); ++i)
+        if (Result<void> checked = checkSkinOf(scene, scene.instances[i], elementOf("instances", i)); !checked)
+            return checked;
+    return {};
+}
+
 } // namespace
 
 Result<void> checkMotion(const Scene& scene) {
     for (std::size_t n = 0; n < scene.nodes.size(); ++n)
         if (scene.nodes[n].parent != kNone && !isIndex(scene.nodes[n].parent, n))
             return fault(elementOf("nodes", n) + ".parent", "it must be a node before this one");
+    for (std::size_t k = 0; k < scene.skins.size(); ++k)
+        if (Result<void> checked = checkSkin(scene, scene.skins[k], elementOf("skins", k)); !checked)
+            return checked;
+    if (Result<void> checked = checkDeformations(scene); !checked)
+        return checked;
     for (std::size_t a = 0; a < scene.animations.size(); ++a)
         if (Result<void> checked = checkAnimation(scene, scene.animations[a], elementOf("animations", a));
             !checked)

@@ -6,7 +6,7 @@
 
 namespace franken {
 
-/// What check(scene) demands of nodes and animations. Fails with "scene.data".
+/// What check(scene) demands of nodes, animations, skins and morphs. Fails with "scene.data".
 Result<void> checkMotion(const Scene& scene);
 
 } // namespace franken

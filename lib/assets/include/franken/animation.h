@@ -20,6 +20,7 @@ struct Transform {
     glm::dvec3 translation{0.0};             ///< Metres.
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; ///< Any length; 0 turns nothing.
     glm::dvec3 scale{1.0};
+    bool operator==(const Transform&) const = default;
 };
 
 /// T * R * S.
@@ -30,6 +31,7 @@ struct NodeState {
     Transform local = {};
     bool visible = true;             ///< KHR_node_visibility: hides the nodes below as well.
     std::vector<float> weights = {}; ///< Of its mesh's morph targets, one for each; empty for a mesh without.
+    bool operator==(const NodeState&) const = default;
 };
 
 /// A place in the tree, on which meshes, cameras, lights and joints hang.

@@ -37,11 +37,14 @@ float heightAt(const HeightMap& map, const glm::vec2& uv);
 /// their area keeps its normal. If the primitive has tangents, computeTangents() recomputes them with
 /// `tangentUv`, which is needed only then.
 ///
+/// What a skin or a morph moves is displaced as it is before they move it, and comes out like that.
+///
 /// Fails with "height.image" for an empty image, and with "height.uv" where the primitive lacks the UV
 /// stream.
 Result<void> displace(Primitive& primitive, const HeightMap& map, std::span<const glm::vec2> tangentUv = {});
 
-/// Displaces all primitives with that material, or all of the scene (kNone). Fails as the function above
+/// Displaces all primitives with that material, or all of the scene (kNone). Where one of them has a skin or
+/// a morph, the scene comes out in its rest pose. Fails as the function above
 /// does; then some may be displaced and others not.
 Result<void> displace(Scene& scene, const HeightMap& map, int material = kNone);
 

@@ -25,6 +25,7 @@ namespace FRANKEN_API franken {
 /// By node, in the order of Scene::nodes. Plain data: an application may turn a wheel by hand.
 struct Pose {
     std::vector<NodeState> nodes;
+    bool operator==(const Pose&) const = default;
 };
 
 /// As the file has it when nothing is animated.
@@ -61,13 +62,23 @@ struct NodeWorld {
 /// Of all nodes; the pose must fit the scene.
 void worldsOf(const Scene& scene, const Pose& pose, std::vector<NodeWorld>& worlds);
 
-/// An instance, a camera and a light of the scene, moved with their nodes; what hangs on no node stays.
-void follow(const std::vector<NodeWorld>& worlds, Instance& instance);
+/// The joints of a skin, each from the mesh to where it is: as seen from the first joint, so that floats can
+/// hold it wherever the skin is.
+struct Palette {
+    glm::dvec3 origin{0.0}; ///< Of the first joint, in the world.
+    std::vector<glm::mat4x3> joints = {};
+};
+void paletteOf(const Skin& skin, const std::vector<NodeWorld>& worlds, Palette& palette);
+
+/// An instance, a camera and a light of the scene, moved with their nodes; what hangs on no node stays. A
+/// skinned instance goes where its first joint is; its vertices are not moved.
+void follow(const Scene& scene, const std::vector<NodeWorld>& worlds, Instance& instance);
 void follow(const std::vector<NodeWorld>& worlds, Camera& camera);
 void follow(const std::vector<NodeWorld>& worlds, Light& light);
 
-/// Moves instances, cameras and lights to where the pose has them, for good: for what draws one moment of a
-/// scene, or looks for what is where. Renderer::setPose() moves what is on the GPU. Fails as check() does.
+/// Moves instances, cameras and lights to where the pose has them, and the vertices of skins and morphs, for
+/// good: for what draws one moment of a scene, or looks for what is where; another pose may follow.
+/// Renderer::setPose() moves what is on the GPU. Fails as check() does.
 Result<void> applyPose(Scene& scene, const Pose& pose);
 
 } // namespace franken

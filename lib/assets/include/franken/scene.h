@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,6 +19,8 @@
 
 #include "franken/animation.h"
 #include "franken/api.h"
+#include "franken/box.h"
+#include "franken/deform.h"
 #include "franken/generator/pack.h"
 #include "franken/generator/texture_role.h"
 #include "franken/image.h"
@@ -82,17 +84,6 @@ struct Material {
     bool unlit = false; ///< KHR_materials_unlit: base colour only, no light.
 };
 
-/// An axis-aligned box; empty (min > max) until something is added.
-struct Box {
-    glm::dvec3 min{std::numeric_limits<double>::infinity()};
-    glm::dvec3 max{-std::numeric_limits<double>::infinity()};
-
-    bool empty() const { return min.x > max.x; }
-    void add(const glm::dvec3& point);
-    /// Adds the eight corners of `box` as `world` places them; does nothing for an empty one.
-    void add(const Box& box, const glm::dmat4& world);
-};
-
 /// One draw's worth of triangles, as one array for each attribute, in one form whatever the file had. Each
 /// array but `indices` is either empty (the attribute is absent) or as long as `positions`.
 struct Primitive {
@@ -112,6 +103,9 @@ struct Primitive {
     /// variant as well.
     std::vector<int> variantMaterials;
     Box bounds; ///< Of `positions`.
+    /// What moves the vertices of a skin or a morph; the arrays above have them at rest then. Primitives that
+    /// one mesh of a file became share it. Null: they move only with the instance.
+    std::shared_ptr<const Deformation> deformation = {};
 };
 
 struct Mesh {
@@ -123,11 +117,12 @@ struct Mesh {
 struct Instance {
     std::string name;      ///< The node's.
     int mesh = 0;          ///< Index into Scene::meshes.
-    glm::dmat4 world{1.0}; ///< Object to world; affine. For a skinned mesh, whose pose is baked in: only
-                           ///< where its first joint is.
-    bool mirrored = false; ///< The determinant is negative: front faces wind clockwise.
+    glm::dmat4 world{1.0}; ///< Object to world; affine. For a skinned mesh: only where its first joint is.
+    bool mirrored = false; ///< The node's determinant is negative, a skinned mesh's too: front faces wind
+                           ///< clockwise.
     bool visible = true;   ///< Neither the node nor one above it is hidden (KHR_node_visibility).
     int nodeIndex = kNone; ///< Index into Scene::nodes; kNone for what no pose moves.
+    int skin = kNone;      ///< Index into Scene::skins, whose joints move it in place of the node.
     /// From the instance to its node: the identity, but for the instances of EXT_mesh_gpu_instancing.
     glm::dmat4 offset{1.0};
 };
@@ -173,13 +168,15 @@ struct Scene {
     std::vector<Texture> textures;
     std::vector<Material> materials; ///< At least one where there is a mesh: primitives without get a
                                      ///< default, and one stands in for each that the scene does not use.
-    std::vector<Mesh> meshes;        ///< Only those that are drawn. A skin or a morph has a mesh of its own.
+    std::vector<Mesh> meshes;        ///< Only those that are drawn. A node with a skin or a morph has a mesh
+                                     ///< of its own.
     std::vector<Instance> instances; ///< In the order of the node tree.
     std::vector<Camera> cameras;     ///< In the order of the file's array; one for each node that has one.
     std::vector<Light> lights;       ///< In the order of the node tree.
     std::vector<std::string> variants; ///< KHR_materials_variants: other materials to choose, by name.
     std::vector<Node> nodes; ///< All of the file, each after its parent. What stands above is as they are at
                              ///< rest; pose.h moves it.
+    std::vector<Skin> skins; ///< Only those of instances.
     std::vector<Animation> animations; ///< In the order of the file's array; faulty ones are left out.
 
     /// What loadGltf() read, the model's own file first; empty for a scene that is not from files.

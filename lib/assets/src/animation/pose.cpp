@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include <glm/common.hpp>
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -19,6 +20,16 @@ bool hasFiniteNumbers(const NodeState& state) {
     const Transform& local = state.local;
     return isFinite(local.translation) && isFinite(local.rotation) && isFinite(local.scale) &&
            areFinite(state.weights);
+}
+
+/// What the pose makes of an instance's vertices.
+Deforming deformingOf(const Pose& pose, const Instance& instance, const Palette& palette) {
+    Deforming deforming{.mirrored = instance.mirrored};
+    if (instance.nodeIndex != kNone)
+        deforming.weights = pose.nodes[static_cast<std::size_t>(instance.nodeIndex)].weights;
+    if (instance.skin != kNone)
+        deforming.joints = palette.joints;
+    return deforming;
 }
 
 const NodeWorld& worldOf(const std::vector<NodeWorld>& worlds, int node) {
@@ -95,13 +106,28 @@ void worldsOf(const Scene& scene, const Pose& pose, std::vector<NodeWorld>& worl
     }
 }
 
-void follow(const std::vector<NodeWorld>& worlds, Instance& instance) {
+// As seen from the first joint, in double: the world, and the way back, may be far away.
+void paletteOf(const Skin& skin, const std::vector<NodeWorld>& worlds, Palette& palette) {
+    palette.origin = glm::dvec3(worldOf(worlds, skin.joints.front()).matrix[3]);
+    palette.joints.resize(skin.joints.size());
+    for (std::size_t j = 0; j < skin.joints.size(); ++j) {
+        glm::dmat4 world = worldOf(worlds, skin.joints[j]).matrix;
+        world[3] -= glm::dvec4(palette.origin, 0);
+        palette.joints[j] = glm::mat4x3(world * glm::dmat4(skin.inverseBinds[j]));
+    }
+}
+
+void follow(const Scene& scene, const std::vector<NodeWorld>& worlds, Instance& instance) {
     if (instance.nodeIndex == kNone)
         return;
     const NodeWorld& node = worldOf(worlds, instance.nodeIndex);
     instance.world = node.matrix * instance.offset;
     instance.mirrored = glm::determinant(glm::dmat3(instance.world)) < 0.0;
     instance.visible = node.visible;
+    if (instance.skin == kNone)
+        return;
+    const Skin& skin = scene.skins[static_cast<std::size_t>(instance.skin)];
+    instance.world = glm::translate(glm::dmat4(1.0), glm::dvec3(worldOf(worlds, skin.joints.front()).matrix[3]));
 }
 
 void follow(const std::vector<NodeWorld>& worlds, Camera& camera) {
@@ -119,8 +145,14 @@ Result<void> applyPose(Scene& scene, const Pose& pose) {
         return checked;
     std::vector<NodeWorld> worlds;
     worldsOf(scene, pose, worlds);
-    for (Instance& instance : scene.instances)
-        follow(worlds, instance);
+    Palette palette;
+    for (Instance& instance : scene.instances) {
+        follow(scene, worlds, instance);
+        if (instance.skin != kNone)
+            paletteOf(scene.skins[static_cast<std::size_t>(instance.skin)], worlds, palette);
+        for (Primitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
+            deform(primitive, deformingOf(pose, instance, palette));
+    }
     for (Camera& camera : scene.cameras)
         follow(worlds, camera);
     for (Light& light : scene.lights)

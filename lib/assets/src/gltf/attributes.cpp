@@ -44,23 +44,24 @@ Fit judgePosition(const tinygltf::Accessor& accessor, bool isTarget, bool quanti
     return isSmall ? rightIf(quantized) : Fit::Wrong;
 }
 
-Fit judgeUv(const tinygltf::Accessor& accessor, bool quantized) {
+Fit judgeUv(const tinygltf::Accessor& accessor, bool isTarget, bool quantized) {
     const int component = accessor.componentType;
     if (!isOneOf(accessor.type, {TINYGLTF_TYPE_VEC2, TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}))
         return Fit::Wrong;
     const bool isUnsigned = isOneOf(component, {kUByte, kUShort});
     if (component != kFloat && !isUnsigned && !isOneOf(component, {kByte, kShort}))
         return Fit::Wrong;
-    return rightIf(accessor.type == TINYGLTF_TYPE_VEC2 &&
-                   (component == kFloat || (isUnsigned && accessor.normalized) || quantized));
+    const bool isShare = (isUnsigned || isTarget) && accessor.normalized;
+    return rightIf(accessor.type == TINYGLTF_TYPE_VEC2 && (component == kFloat || isShare || quantized));
 }
 
-Fit judgeColor(const tinygltf::Accessor& accessor) {
-    const bool isUnsigned = isOneOf(accessor.componentType, {kUByte, kUShort});
+Fit judgeColor(const tinygltf::Accessor& accessor, bool isTarget = false) {
+    const bool isInteger = isOneOf(accessor.componentType, {kUByte, kUShort}) ||
+                            (isTarget && isOneOf(accessor.componentType, {kByte, kShort}));
     if (!isOneOf(accessor.type, {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}) ||
-        (accessor.componentType != kFloat && !isUnsigned))
+        (accessor.componentType != kFloat && !isInteger))
         return Fit::Wrong;
-    return rightIf(!isUnsigned || accessor.normalized);
+    return rightIf(!isInteger || accessor.normalized);
 }
 
 Fit judgeJoints(const tinygltf::Accessor& accessor) {
@@ -80,9 +81,9 @@ Fit judge(const tinygltf::Accessor& accessor, const std::string& name, bool isTa
         return judgeDirection(accessor, isTarget ? TINYGLTF_TYPE_VEC3 : TINYGLTF_TYPE_VEC4, isTarget,
                               quantized);
     if (name.starts_with("TEXCOORD_"))
-        return judgeUv(accessor, quantized);
+        return judgeUv(accessor, isTarget, quantized);
     if (name.starts_with("COLOR_"))
-        return judgeColor(accessor);
+        return judgeColor(accessor, isTarget);
     if (name.starts_with("JOINTS_"))
         return judgeJoints(accessor);
     if (name.starts_with("WEIGHTS_")) // whose sum is made 1
@@ -93,10 +94,10 @@ Fit judge(const tinygltf::Accessor& accessor, const std::string& name, bool isTa
 /// Chooses among the attributes of one primitive.
 class Chooser {
 public:
-    Chooser(Document& source, const MaterialChoice& materials, const Pose& pose, std::size_t vertices)
+    Chooser(Document& source, const MaterialChoice& materials, const MeshUse& use, std::size_t vertices)
         : m_source(source),
           m_materials(materials),
-          m_pose(pose),
+          m_use(use),
           m_vertices(vertices),
           m_quantized(source.uses("KHR_mesh_quantization")) {}
 
@@ -167,14 +168,14 @@ private:
         if (name == "TEXCOORD_0" || name == "TEXCOORD_1")
             return anyMaterial(
                 [&](const Material& material) { return samples(material, name.back() - '0'); });
-        if (name == "JOINTS_0" || name == "WEIGHTS_0")
-            return !m_pose.joints.empty();
+        if (name.starts_with("JOINTS_") || name.starts_with("WEIGHTS_"))
+            return m_use.joints > 0;
         return name == "POSITION" || name == "COLOR_0";
     }
 
     Document& m_source;
     const MaterialChoice& m_materials;
-    const Pose& m_pose;
+    const MeshUse& m_use;
     std::size_t m_vertices;
     bool m_quantized;
 };
@@ -194,17 +195,17 @@ bool checkIndices(Document& source, int index, const std::string& where) {
 
 } // namespace
 
-bool chooseAttributes(Document& source, const MaterialChoice& materials, const Pose& pose,
+bool chooseAttributes(Document& source, const MaterialChoice& materials, const MeshUse& use,
                       const std::string& where, tinygltf::Primitive& primitive) {
     const int position = primitive.attributes["POSITION"];
     if (!source.need(pathOf("accessors", position)) ||
         !checkIndices(source, primitive.indices, where + "/indices"))
         return false;
-    Chooser chooser(source, materials, pose, source.model.accessors[at(position)].count);
+    Chooser chooser(source, materials, use, source.model.accessors[at(position)].count);
     if (!chooser.choose(primitive.attributes, false, true, where + "/attributes"))
         return false;
     for (std::size_t t = 0; t < primitive.targets.size(); ++t) {
-        const bool isUsed = t < pose.weights.size() && pose.weights[t] != 0.0;
+        const bool isUsed = t < use.weights.size() && use.weights[t] != 0.0;
         if (!chooser.choose(primitive.targets[t], true, isUsed, where + pathOf("targets", t)))
             return false;
     }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <memory>
 #include <numeric>
+#include <type_traits>
+#include <utility>
 
 #include <glm/geometric.hpp>
 
@@ -90,12 +93,6 @@ bool readTriangles(Document& source, const tinygltf::Primitive& from, const std:
                                    ", but there are only " + std::to_string(count) + " vertices");
     primitive.indices = triangles(vertices, from.mode);
     return true;
-}
-
-// glTF 2.0, 3.7.4: the node's determinant says how a mesh winds, even where a skin ignores the node's place.
-void turnTriangles(std::vector<std::uint32_t>& indices) {
-    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
-        std::swap(indices[i + 1], indices[i + 2]);
 }
 
 // A normal of no length says nothing: that of the triangles around the vertex stands in.
@@ -195,31 +192,49 @@ bool chargePrimitive(Document& source, const tinygltf::Primitive& from, const st
            source.charge(corners, 4 + (flat ? kVertexBytes : 0) + (tangents ? kTangentBytes : 0), where);
 }
 
-bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string& where, const Pose& pose,
+/// What joints and targets add to each vertex.
+std::size_t bytesOfVertex(const Deformation& deformation) {
+    const auto bytes = [](const auto& values) {
+        return values.empty() ? 0 : sizeof(typename std::decay_t<decltype(values)>::value_type);
+    };
+    std::size_t sum = deformation.influencesPerVertex * sizeof(Influence);
+    for (const Vertices& target : deformation.targets)
+        sum += bytes(target.positions) + bytes(target.normals) + bytes(target.tangents) +
+               bytes(target.uv[0]) + bytes(target.uv[1]) + bytes(target.colors);
+    return sum;
+}
+
+bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string& where, const MeshUse& use,
                    Scene& scene, Primitive& primitive) {
     primitive.material = materialOf(from, scene, source.model.materials.size());
     if (!readVariantMaterials(source, from, where, scene.variants.size(), primitive.variantMaterials))
         return false;
     const MaterialChoice materials = materialsOf(primitive, scene);
-    if (!chooseAttributes(source, materials, pose, where, from) || !chargePrimitive(source, from, where) ||
-        !readAttributes(source, from, primitive) || !readTriangles(source, from, where, primitive))
+    Deformation deformation;
+    if (!chooseAttributes(source, materials, use, where, from) || !chargePrimitive(source, from, where) ||
+        !readAttributes(source, from, primitive) || !readTriangles(source, from, where, primitive) ||
+        !readDeformation(source, from, where, use, primitive, deformation))
         return false;
-    if (pose.mirrored)
-        turnTriangles(primitive.indices);
-    if (!applyMorph(source, from, where, pose.weights, primitive) ||
-        (!pose.joints.empty() && !applySkin(source, from, where, pose.joints, primitive)))
-        return false;
+    const bool deforms = !deformation.targets.empty() || !deformation.influences.empty();
+    deformation.flat = primitive.normals.empty();
+    if (deforms) {
+        if (!source.charge(primitive.indices.size(), bytesOfVertex(deformation), where))
+            return false;
+        primitive.deformation = std::make_shared<const Deformation>(std::move(deformation));
+    }
     if (primitive.normals.empty())
         computeFlatNormals(primitive);
     normalize(source, where, primitive);
     completeTangents(source, materials, where, primitive);
     primitive.bounds = boundsOf(primitive.positions);
+    if (deforms)
+        bind(primitive);
     return true;
 }
 
 } // namespace
 
-bool readMesh(Document& source, int index, const Pose& pose, Scene& scene, Mesh& mesh) {
+bool readMesh(Document& source, int index, const MeshUse& use, Scene& scene, Mesh& mesh) {
     if (!source.need(pathOf("meshes", index)))
         return false;
     const tinygltf::Mesh& from = source.model.meshes[at(index)];
@@ -232,7 +247,7 @@ bool readMesh(Document& source, int index, const Pose& pose, Scene& scene, Mesh&
         if (!isDrawable(source, from.primitives[p], where))
             continue;
         Primitive primitive;
-        if (!readPrimitive(source, from.primitives[p], where, pose, scene, primitive))
+        if (!readPrimitive(source, from.primitives[p], where, use, scene, primitive))
             return false;
         if (!primitive.indices.empty())
             mesh.primitives.push_back(std::move(primitive));

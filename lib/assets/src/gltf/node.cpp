@@ -63,9 +63,11 @@ public:
 
 private:
     bool need(int node) { return m_source.need(pathOf("nodes", node)); }
-    bool readJointMatrices(int skin, const glm::dvec3& origin, std::vector<glm::mat4>& joints);
-    bool findOrReadMesh(int fileMesh, const Pose& pose, int& mesh);
+    bool readSkin(int index, const Skin*& skin);
+    bool findOrReadMesh(int fileMesh, const MeshUse& use, int& mesh);
     bool addMesh(int node);
+    bool addInstance(int node, const MeshUse& use, int mesh, const Skin* skin);
+    bool moveToRest(int node, const MeshUse& use, const Instance& instance, const Palette& palette);
     bool addCamera(int node);
     bool addLight(int node);
 
@@ -73,52 +75,79 @@ private:
     const NodePlaces& m_places;
     Scene& m_scene;
     std::vector<NodeWorld> m_worlds;                             ///< By file node.
-    std::map<std::pair<int, std::vector<double>>, int> m_meshes; ///< By file mesh and weights.
+    std::map<std::pair<int, MeshUse>, int> m_still;      ///< From file meshes to Scene::meshes.
+    std::map<std::pair<int, MeshUse>, Mesh> m_deforming; ///< By file mesh, as nothing has moved them.
+    std::map<int, Skin> m_skins;                      ///< By file skin; joints are nodes of the file.
+    std::map<int, int> m_skinPlaces;                  ///< From file skins to Scene::skins.
 };
 
-// As seen from `origin`, so that vertices that floats can hold come out, wherever the skin is.
-bool Walker::readJointMatrices(int index, const glm::dvec3& origin, std::vector<glm::mat4>& joints) {
-    const tinygltf::Skin& skin = m_source.model.skins[at(index)];
-    for (const int joint : skin.joints)
+bool Walker::readSkin(int index, const Skin*& out) {
+    if (!m_source.need(pathOf("skins", index)))
+        return false;
+    const tinygltf::Skin& from = m_source.model.skins[at(index)];
+    for (const int joint : from.joints)
         if (!need(joint))
             return false;
-    const std::size_t matrices =
-        skin.inverseBindMatrices == kNone ? 0 : m_source.model.accessors[at(skin.inverseBindMatrices)].count;
-    if (!m_source.charge(skin.joints.size() + matrices, 2 * sizeof(glm::mat4), pathOf("skins", index)))
+    // The palette of each use is charged, and for the first, all that is kept.
+    constexpr std::size_t kBytes = 2 * (sizeof(int) + sizeof(glm::mat4)) + sizeof(float[16]);
+    const auto [place, isNew] = m_skins.try_emplace(index);
+    if (!m_source.charge(from.joints.size(), sizeof(glm::mat4x3) + (isNew ? kBytes : 0), pathOf("skins", index)))
         return false;
-    joints.assign(skin.joints.size(), glm::mat4(1.0f));
-    if (skin.inverseBindMatrices != kNone) {
-        std::vector<float> numbers(matrices * 16);
-        if (!readFloats(m_source, skin.inverseBindMatrices, numbers))
+    Skin& skin = place->second;
+    out = &skin;
+    if (!isNew)
+        return true;
+    skin = {.name = from.name, .index = index, .joints = from.joints};
+    skin.inverseBinds.assign(skin.joints.size(), glm::mat4(1.0f));
+    if (from.inverseBindMatrices != kNone) {
+        const std::size_t count = m_source.model.accessors[at(from.inverseBindMatrices)].count;
+        std::vector<float> numbers;
+        if (!m_source.charge(count, sizeof(glm::mat4), pathOf("skins", index)))
             return false;
-        for (std::size_t j = 0; j < joints.size(); ++j)
-            joints[j] = glm::make_mat4(numbers.data() + j * 16);
+        numbers.resize(count * 16);
+        if (!readFloats(m_source, from.inverseBindMatrices, numbers))
+            return false;
+        for (std::size_t j = 0; j < skin.joints.size(); ++j)
+            skin.inverseBinds[j] = glm::make_mat4(numbers.data() + j * 16);
     }
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-        glm::dmat4 world = m_worlds[at(skin.joints[j])].matrix;
-        world[3] -= glm::dvec4(origin, 0);
-        joints[j] = glm::mat4(world * glm::dmat4(joints[j]));
-    }
+    if (m_scene.nodes.empty())
+        return true;
+    m_skinPlaces[index] = static_cast<int>(m_scene.skins.size());
+    Skin& placed = m_scene.skins.emplace_back(skin);
+    for (int& joint : placed.joints)
+        joint = m_places[at(joint)];
     return true;
 }
 
-// A mesh is shared by all nodes that show it with the same weights; a skinned one by none.
-bool Walker::findOrReadMesh(int fileMesh, const Pose& pose, int& mesh) {
-    const auto key = std::make_pair(fileMesh, pose.weights);
-    const auto known = m_meshes.find(key);
-    if (pose.joints.empty() && known != m_meshes.end()) {
-        mesh = known->second;
+bool deforms(const Mesh& mesh) {
+    return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                       [](const Primitive& primitive) { return primitive.deformation != nullptr; });
+}
+
+// A mesh is shared by all nodes that show it, unless these can move its vertices: then each has a copy.
+bool Walker::findOrReadMesh(int fileMesh, const MeshUse& use, int& mesh) {
+    const auto key = std::make_pair(fileMesh, use);
+    mesh = static_cast<int>(m_scene.meshes.size());
+    if (const auto still = m_still.find(key); still != m_still.end()) {
+        mesh = still->second;
+        return true;
+    }
+    if (const auto deforming = m_deforming.find(key); deforming != m_deforming.end()) {
+        m_scene.meshes.push_back(deforming->second);
         return true;
     }
     Mesh read;
-    if (!readMesh(m_source, fileMesh, pose, m_scene, read))
+    if (!readMesh(m_source, fileMesh, use, m_scene, read))
         return false;
-    if (!read.primitives.empty()) {
-        mesh = static_cast<int>(m_scene.meshes.size());
-        m_scene.meshes.push_back(std::move(read));
+    if (deforms(read)) {
+        m_deforming.emplace(key, read);
+    } else {
+        if (read.primitives.empty())
+            mesh = kNone; // Nothing in it can be drawn.
+        m_still.emplace(key, mesh);
     }
-    if (pose.joints.empty())
-        m_meshes.emplace(key, mesh);
+    if (mesh != kNone)
+        m_scene.meshes.push_back(std::move(read));
     return true;
 }
 
@@ -130,31 +159,53 @@ bool Walker::addMesh(int index) {
         static_cast<float>(m_scene.instances.size()) / static_cast<float>(m_source.model.nodes.size());
     if (!m_source.proceed(kReadImages + (1 - kReadImages) * share, "meshes"))
         return false;
-    glm::dmat4 world = m_worlds[at(index)].matrix;
-    bool mirrored = glm::determinant(glm::dmat3(world)) < 0.0;
-    Pose pose;
-    pose.weights = node.weights.empty() ? m_source.model.meshes[at(node.mesh)].weights : node.weights;
+    MeshUse use;
+    use.weights = node.weights.empty() ? m_source.model.meshes[at(node.mesh)].weights : node.weights;
+    const Skin* skin = nullptr;
     if (node.skin != kNone) {
-        if (!m_source.need(pathOf("skins", node.skin)))
+        if (!readSkin(node.skin, skin))
             return false;
-        m_source.warnOnce(kLeftOut, "skins are not animated; the pose of the file is drawn");
-        pose.mirrored = std::exchange(mirrored, false);
-        const glm::dvec3 origin(m_worlds[at(m_source.model.skins[at(node.skin)].joints[0])].matrix[3]);
-        if (!readJointMatrices(node.skin, origin, pose.joints))
-            return false;
-        world = glm::translate(glm::dmat4(1.0), origin);
+        use.joints = skin->joints.size();
     }
     int mesh = kNone;
-    if (!findOrReadMesh(node.mesh, pose, mesh))
-        return false;
-    if (mesh == kNone)
-        return true; // nothing in it can be drawn
-    m_scene.instances.push_back({.name = node.name,
-                                 .mesh = mesh,
-                                 .world = world,
-                                 .mirrored = mirrored,
-                                 .visible = m_worlds[at(index)].visible,
-                                 .nodeIndex = node.skin == kNone ? m_places[at(index)] : kNone});
+    return findOrReadMesh(node.mesh, use, mesh) && (mesh == kNone || addInstance(index, use, mesh, skin));
+}
+
+bool Walker::addInstance(int index, const MeshUse& use, int mesh, const Skin* skin) {
+    const tinygltf::Node& node = m_source.model.nodes[at(index)];
+    const NodeWorld& world = m_worlds[at(index)];
+    Instance& instance =
+        m_scene.instances.emplace_back(Instance{.name = node.name,
+                                                .mesh = mesh,
+                                                .world = world.matrix,
+                                                .mirrored = glm::determinant(glm::dmat3(world.matrix)) < 0.0,
+                                                .visible = world.visible,
+                                                .nodeIndex = m_places[at(index)]});
+    if (!deforms(m_scene.meshes[at(mesh)]))
+        return true;
+    Palette palette;
+    if (skin != nullptr) {
+        paletteOf(*skin, m_worlds, palette);
+        instance.world = glm::translate(glm::dmat4(1.0), palette.origin);
+        instance.skin = m_scene.nodes.empty() ? kNone : m_skinPlaces.at(node.skin);
+    }
+    return moveToRest(index, use, instance, palette);
+}
+
+bool Walker::moveToRest(int index, const MeshUse& use, const Instance& instance, const Palette& palette) {
+    constexpr std::size_t kVertexBytes = 72; // All attributes of a Primitive.
+    const std::vector<float> weights(use.weights.begin(), use.weights.end());
+    for (Primitive& primitive : m_scene.meshes[at(instance.mesh)].primitives) {
+        if (!m_source.charge(primitive.positions.size(), kVertexBytes, pathOf("nodes", index)))
+            return false;
+        deform(primitive,
+               {.weights = weights, .joints = palette.joints, .mirrored = instance.mirrored});
+        if (!std::all_of(primitive.positions.begin(), primitive.positions.end(), isFinite<glm::vec3>))
+            return m_source.fail("gltf.value", pathOf("nodes", index),
+                                 "the pose moves a vertex out of the range of floats");
+        if (m_scene.nodes.empty())
+            primitive.deformation.reset();
+    }
     return true;
 }
 

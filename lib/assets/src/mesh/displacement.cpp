@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/displacement.h"
 
+#include "franken/pose.h"
 #include "franken/tangents.h"
 #include "mesh/vertices.h"
 #include "wrapped.h"
@@ -11,6 +12,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace franken {
@@ -120,6 +122,23 @@ float heightAt(const HeightMap& map, const glm::vec2& uv) {
     return row(t.texel[0]) * (1 - t.share) + row(t.texel[1]) * t.share;
 }
 
+namespace {
+
+/// What a deformation will move is displaced, before it is moved.
+void unbind(Primitive& primitive) {
+    const Vertices& bind = primitive.deformation->bind;
+    primitive.positions = bind.positions;
+    primitive.normals = bind.normals;
+    primitive.tangents = bind.tangents;
+    for (std::size_t set = 0; set < std::size(bind.uv); ++set)
+        if (!bind.uv[set].empty())
+            primitive.uv[set] = bind.uv[set];
+    if (!bind.colors.empty())
+        primitive.colors = bind.colors;
+}
+
+} // namespace
+
 Result<void> displace(Primitive& primitive, const HeightMap& map, std::span<const glm::vec2> tangentUv) {
     if (map.image.width < 1 || map.image.height < 1)
         return Error{"height.image", map.image.name, "the height map is empty", "load a picture into it"};
@@ -127,16 +146,21 @@ Result<void> displace(Primitive& primitive, const HeightMap& map, std::span<cons
         return Error{"height.uv", "TEXCOORD_" + std::to_string(map.uvSet),
                      "a primitive lacks the texture coordinates of the height map",
                      "choose the other stream, or export the model with texture coordinates"};
+    if (primitive.deformation)
+        unbind(primitive);
     const Groups groups = groupsOf(primitive);
     move(primitive, map, groups);
     computeNormals(primitive, groups);
     if (!primitive.tangents.empty())
         computeTangents(primitive, tangentUv);
     primitive.bounds = boundsOf(primitive.positions);
+    if (primitive.deformation)
+        bind(primitive);
     return {};
 }
 
 Result<void> displace(Scene& scene, const HeightMap& map, int material) {
+    bool deforms = false;
     for (Mesh& mesh : scene.meshes)
         for (Primitive& primitive : mesh.primitives) {
             if (material != kNone && primitive.material != material)
@@ -145,8 +169,9 @@ Result<void> displace(Scene& scene, const HeightMap& map, int material) {
             const std::vector<glm::vec2> uv = sampledUv(primitive, of.textures[TextureRole::Normal]);
             if (Result<void> displaced = displace(primitive, map, uv); !displaced)
                 return displaced;
+            deforms = deforms || primitive.deformation;
         }
-    return {};
+    return deforms ? applyPose(scene, restPose(scene)) : Result<void>();
 }
 
 } // namespace franken

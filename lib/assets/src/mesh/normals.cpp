@@ -4,29 +4,13 @@
 #include <glm/geometric.hpp>
 
 #include "franken/tangents.h"
+#include "mesh/vertices.h"
 
 namespace franken {
-namespace {
-
-template<typename T>
-void unshare(std::vector<T>& attribute, const std::vector<std::uint32_t>& indices) {
-    if (attribute.empty())
-        return;
-    std::vector<T> corners;
-    corners.reserve(indices.size());
-    for (const std::uint32_t index : indices)
-        corners.push_back(attribute[index]);
-    attribute = std::move(corners);
-}
-
-} // namespace
-
 void computeFlatNormals(Primitive& primitive) {
-    unshare(primitive.positions, primitive.indices);
-    unshare(primitive.uv[0], primitive.indices);
-    unshare(primitive.uv[1], primitive.indices);
-    unshare(primitive.colors, primitive.indices);
+    primitive.normals.clear();
     primitive.tangents.clear();
+    gather(primitive, primitive.indices);
     std::iota(primitive.indices.begin(), primitive.indices.end(), 0u);
 
     primitive.normals.assign(primitive.positions.size(), glm::vec3(0.0f, 0.0f, 1.0f));

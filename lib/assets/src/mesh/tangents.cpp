@@ -11,6 +11,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "mesh/vertices.h"
+
 namespace franken {
 namespace {
 
@@ -224,18 +226,13 @@ void Builder::adoptDegenerates() {
     }
 }
 
-template<typename T>
-void copyVertex(std::vector<T>& attribute, Index vertex) {
-    if (!attribute.empty())
-        attribute.push_back(T(attribute[vertex]));
-}
-
 // The first group at a vertex keeps it; each other one gets a copy.
 void Builder::store() {
     std::vector<Index> owner(m_primitive.positions.size(), kNoIndex);
     std::unordered_map<std::uint64_t, Index> copies; // (vertex, group) -> the copy
-    std::vector<glm::vec4>& tangents = m_primitive.tangents;
-    tangents.assign(m_primitive.positions.size(), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
+    std::vector<Index> sources(owner.size()); // Of each vertex, the one that it is a copy of.
+    std::iota(sources.begin(), sources.end(), 0u);
+    std::vector<glm::vec4> tangents(owner.size(), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
     for (Index corner = 0; corner < m_primitive.indices.size(); ++corner) {
         const Index vertex = m_primitive.indices[corner], group = m_groups.find(corner);
         if (owner[vertex] == kNoIndex) {
@@ -244,18 +241,18 @@ void Builder::store() {
         }
         if (owner[vertex] == group)
             continue;
-        const auto copy = static_cast<Index>(m_primitive.positions.size());
+        const auto copy = static_cast<Index>(sources.size());
         const auto [known, isNew] = copies.emplace(std::uint64_t{vertex} << 32 | group, copy);
         m_primitive.indices[corner] = known->second;
         if (isNew) {
-            copyVertex(m_primitive.positions, vertex);
-            copyVertex(m_primitive.normals, vertex);
-            copyVertex(m_primitive.uv[0], vertex);
-            copyVertex(m_primitive.uv[1], vertex);
-            copyVertex(m_primitive.colors, vertex);
+            sources.push_back(vertex);
             tangents.push_back(m_tangents[group]);
         }
     }
+    m_primitive.tangents.clear();
+    if (sources.size() > owner.size())
+        gather(m_primitive, sources);
+    m_primitive.tangents = std::move(tangents);
 }
 
 } // namespace

@@ -5,7 +5,68 @@
 
 #include "franken/tangents.h"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 namespace franken {
+namespace {
+
+/// `each` elements belong to a vertex.
+template<typename T>
+void gather(std::vector<T>& attribute, std::span<const std::uint32_t> vertices, std::size_t each = 1) {
+    if (attribute.empty())
+        return;
+    std::vector<T> gathered;
+    gathered.reserve(vertices.size() * each);
+    for (const std::uint32_t vertex : vertices)
+        for (std::size_t i = 0; i < each; ++i)
+            gathered.push_back(attribute[vertex * each + i]);
+    attribute = std::move(gathered);
+}
+
+template<typename Arrays>
+void gatherArrays(Arrays& arrays, std::span<const std::uint32_t> vertices) {
+    gather(arrays.positions, vertices);
+    gather(arrays.normals, vertices);
+    gather(arrays.tangents, vertices);
+    gather(arrays.uv[0], vertices);
+    gather(arrays.uv[1], vertices);
+    gather(arrays.colors, vertices);
+}
+
+} // namespace
+
+void gather(Primitive& primitive, std::span<const std::uint32_t> vertices) {
+    gatherArrays(primitive, vertices);
+    if (!primitive.deformation)
+        return;
+    auto deformation = std::make_shared<Deformation>(*primitive.deformation);
+    gatherArrays(deformation->bind, vertices);
+    for (Vertices& target : deformation->targets)
+        gatherArrays(target, vertices);
+    gather(deformation->influences, vertices, deformation->influencesPerVertex);
+    primitive.deformation = std::move(deformation);
+}
+
+void bind(Primitive& primitive) {
+    Deformation deformation = *primitive.deformation;
+    const auto anyTarget = [&](auto member) {
+        return std::any_of(deformation.targets.begin(), deformation.targets.end(),
+                           [&](const Vertices& target) { return !member(target).empty(); });
+    };
+    Vertices& vertices = deformation.bind;
+    vertices = {.positions = primitive.positions,
+                .normals = primitive.normals,
+                .tangents = primitive.tangents};
+    for (std::size_t set = 0; set < std::size(vertices.uv); ++set)
+        if (anyTarget([set](const Vertices& target) -> auto& { return target.uv[set]; }))
+            vertices.uv[set] = primitive.uv[set];
+    if (anyTarget([](const Vertices& target) -> auto& { return target.colors; }))
+        vertices.colors = primitive.colors;
+    measure(deformation);
+    primitive.deformation = std::make_shared<const Deformation>(std::move(deformation));
+}
 
 Box boundsOf(const std::vector<glm::vec3>& positions) {
     Box bounds;
