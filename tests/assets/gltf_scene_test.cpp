@@ -84,10 +84,10 @@ TEST(GltfNode, MorphWeightsAreApplied) {
     file.json["nodes"] = {{{"mesh", 0}}, {{"mesh", 0}, {"weights", {2}}}, {{"mesh", 0}}};
     file.json["scenes"][0]["nodes"] = {0, 1, 2};
     const Scene scene = file.loaded();
-    ASSERT_EQ(scene.meshes.size(), 2u) << "one for each set of weights";
+    ASSERT_EQ(scene.meshes.size(), 3u) << "one for each node that can be posed";
     expectNear(scene.meshes[0].primitives[0].positions[2], {0, 1, 2});
     expectNear(scene.meshes[1].primitives[0].positions[2], {0, 1, 8});
-    EXPECT_EQ(scene.instances[2].mesh, 0);
+    EXPECT_EQ(scene.meshes[2].primitives[0].deformation, scene.meshes[0].primitives[0].deformation);
     // Flat normals are those of the morphed triangle.
     expectNear(scene.meshes[1].primitives[0].normals[0], glm::normalize(glm::vec3(-2, -6, 1)));
 }
@@ -116,7 +116,10 @@ TEST(GltfNode, TheSkinIsAppliedAtRest) {
     expectNear(placed(world, moved[0]), {0, 0, 2});
     expectNear(placed(world, moved[1]), {5, 0, 0});
     expectNear(placed(world, moved[2]), {2, 1, 1});
-    ASSERT_EQ(file.warnings.size(), 1u);
+    EXPECT_TRUE(file.warnings.empty());
+    ASSERT_EQ(scene.skins.size(), 1u);
+    EXPECT_EQ(scene.instances[0].skin, 0);
+    EXPECT_EQ(scene.skins[0].inverseBinds[1][3][0], -1);
 }
 
 TEST(GltfNode, Cameras) {

@@ -65,10 +65,9 @@ Result<void> checkSkin(const Scene& scene, const Skin& skin, const std::string& 
 /// Every array of `changed` is empty, or as long as the one of `whole`.
 bool fit(const Vertices& changed, const Vertices& whole) {
     const auto fits = [](const auto& left, const auto& right) {
-        return left.empty() || (left.size() == right.size() &&
-                                std::all_of(left.begin(), left.end(), [](const auto& value) {
-                                    return isFinite(value);
-                                }));
+        return left.empty() ||
+               (left.size() == right.size() &&
+                std::all_of(left.begin(), left.end(), [](const auto& value) { return isFinite(value); }));
     };
     return fits(changed.positions, whole.positions) && fits(changed.normals, whole.normals) &&
            fits(changed.tangents, whole.tangents) && fits(changed.uv[0], whole.uv[0]) &&
@@ -125,7 +124,8 @@ Result<void> checkDeformations(const Scene& scene) {
                     !checked)
                     return checked;
     for (std::size_t i = 0; i < scene.instances.size(); ++i)
-        if (Result<void> checked = checkSkinOf(scene, scene.instances[i], elementOf("instances", i)); !checked)
+        if (Result<void> checked = checkSkinOf(scene, scene.instances[i], elementOf("instances", i));
+            !checked)
             return checked;
     return {};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "draw_list.h"
 
+#include <glm/ext/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -21,24 +22,48 @@ bool isVisible(const Place& place, const Drawable& drawable) {
     return place.visible && (node == nullptr ? drawable.visible : node->visible);
 }
 
-/// What follows from where the object stands, whatever the camera.
+/// From the object to where the model stands. A skin's joints stand in for the node.
+glm::dmat4 posedWorld(Object& object, const NodeWorld& node) {
+    const Drawable& drawable = *object.drawable;
+    if (drawable.skin == kNone)
+        return node.matrix * drawable.offset;
+    const std::vector<Skin>& skins = object.place->model->outline.scene.skins;
+    paletteOf(skins[static_cast<std::size_t>(drawable.skin)], object.place->nodes, object.palette);
+    return glm::translate(glm::dmat4(1.0), object.palette.origin);
+}
+
+/// What follows from where the object stands, whatever the camera. The node says how a skinned mesh winds,
+/// whose normals its joints have turned already.
 void settle(Object& object, const glm::dmat3& skyFromWorld) {
-    const NodeWorld* const node = nodeOf(*object.place, *object.drawable);
-    const glm::dmat4 posed =
-        node == nullptr ? object.drawable->world : node->matrix * object.drawable->offset;
-    const glm::dmat4 world = object.place->world * posed;
-    const bool isMirrored =
-        node == nullptr ? object.drawable->mirrored : glm::determinant(glm::dmat3(posed)) < 0;
+    const Drawable& drawable = *object.drawable;
+    const NodeWorld* const node = nodeOf(*object.place, drawable);
+    const glm::dmat4 world =
+        object.place->world * (node == nullptr ? drawable.world : posedWorld(object, *node));
+    const bool isMirrored = node == nullptr
+                                ? drawable.mirrored
+                                : glm::determinant(glm::dmat3(node->matrix * drawable.offset)) < 0;
     const bool isTurnedInsideOut = glm::determinant(glm::dmat3(object.place->world)) < 0;
     object.mirrored = isMirrored != isTurnedInsideOut;
-    object.bounds = boundsOf(object.primitive->bounds, world);
+    object.bounds =
+        boundsOf(isDeformed(object) ? boundsOf(*object.primitive->deformation, deformingOf(object))
+                                    : object.primitive->bounds,
+                 world);
     object.position = glm::dvec3(world[3]);
-    placeObject(object.block, world, object.mirrored, skyFromWorld);
+    placeObject(object.block, world, drawable.skin == kNone ? object.mirrored : isTurnedInsideOut,
+                skyFromWorld);
     object.movements = object.place->movements;
     object.isPlaced = true;
 }
 
 } // namespace
+
+Deforming deformingOf(const Object& object) {
+    const Drawable& drawable = *object.drawable;
+    const NodeWorld& node = *nodeOf(*object.place, drawable);
+    return {.weights = object.place->pose.nodes[static_cast<std::size_t>(drawable.nodeIndex)].weights,
+            .joints = object.palette.joints,
+            .mirrored = glm::determinant(glm::dmat3(node.matrix * drawable.offset)) < 0};
+}
 
 void DrawList::rebuild(const std::vector<Model*>& shown) {
     m_opaque.clear();
@@ -47,6 +72,7 @@ void DrawList::rebuild(const std::vector<Model*>& shown) {
     m_materials.clear();
     m_placedFor.reset();
     m_visible = 0;
+    m_canDeform = false;
     for (Model* model : shown)
         add(*model);
     m_backToFront.reserve(m_blended.size());
@@ -68,6 +94,7 @@ void DrawList::add(Model& model) {
     for (const Place* place : model.places)
         for (const Drawable& drawable : scene.drawables) {
             const GpuPrimitive& primitive = scene.primitives[drawable.primitive];
+            m_canDeform = m_canDeform || primitive.deformation;
             draws.push_back({primitive.materialIn(place->variant), primitive.mesh, place, &drawable});
         }
     std::stable_sort(draws.begin(), draws.end(), [](const Draw& a, const Draw& b) {

@@ -19,14 +19,25 @@ struct Object {
     const Place* place;
     const Drawable* drawable;
     const GpuPrimitive* primitive;
-    const GpuMesh* mesh;
+    GpuMesh* mesh;
     GpuMaterial* material;
-    unsigned order;         ///< By model, material and mesh.
-    unsigned movements = 0; ///< Those of its place that the members above are for.
-    bool isPlaced = false;  ///< They are for any, and for the sky's rotation.
+    unsigned order;                   ///< By model, material and mesh.
+    unsigned movements = 0;           ///< Those of its place that the members above are for.
+    Palette palette = {};             ///< Of a skin that is posed.
+    const PosedMesh* posed = nullptr; ///< What is drawn in place of the mesh; may be null.
+    bool isPlaced = false;            ///< They are for any, and for the sky's rotation.
     bool mirrored = false;
     bool visible = false;
 };
+
+/// Whether the place has a pose that can deform the object.
+inline bool isDeformed(const Object& object) {
+    return object.primitive->deformation && !object.place->nodes.empty() &&
+           object.drawable->nodeIndex != kNone;
+}
+
+/// What that pose makes of its vertices.
+Deforming deformingOf(const Object& object);
 
 /// The objects of all models that are shown, in their order of drawing.
 class DrawList {
@@ -53,6 +64,16 @@ public:
     /// The distance from the eye that no corner of a visible object's bounds exceeds.
     double farthest(const glm::dvec3& eye) const;
 
+    /// Calls the function with each visible object that a pose deforms.
+    template<typename Function>
+    void forEachDeformed(Function function) {
+        if (m_canDeform)
+            for (std::vector<Object>* objects : {&m_opaque, &m_blended})
+                for (Object& object : *objects)
+                    if (object.visible && isDeformed(object))
+                        function(object);
+    }
+
     std::size_t visible() const { return m_visible; }
     std::size_t size() const { return m_opaque.size() + m_blended.size(); }
 
@@ -65,6 +86,7 @@ private:
     std::vector<const Object*> m_backToFront;
     std::optional<PlacedView> m_placedFor;
     unsigned m_movements = 0;
+    bool m_canDeform = false; ///< One of the objects can.
     std::uint64_t m_nextSerial = 0;
     std::size_t m_visible = 0;
 };

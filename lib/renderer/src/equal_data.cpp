@@ -39,7 +39,8 @@ std::size_t GeometryHash::operator()(const Primitive* primitive) const {
 
 bool GeometryEqual::operator()(const Primitive* a, const Primitive* b) const {
     return a == b ||
-           allOf(*a, *b, [](std::string_view left, std::string_view right) { return left == right; });
+           (a->deformation == b->deformation &&
+            allOf(*a, *b, [](std::string_view left, std::string_view right) { return left == right; }));
 }
 
 std::size_t SampledImageHash::operator()(const SampledImage& texture) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame.h"
 
+#include "checked_upload.h"
 #include "object_block.h"
 
 #include <algorithm>
@@ -153,15 +154,45 @@ void Frame::clear(const DrawTarget& target) {
     m_device.state.setScissorTest(false);
 }
 
-void Frame::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
+Result<void> Frame::moveVertices() {
+    FirstError first;
+    m_list.forEachDeformed([&](Object& object) { first.add(moveVertices(object)); });
+    return first.take();
+}
+
+Result<void> Frame::moveVertices(Object& object) {
+    const Place& place = *object.place;
+    GpuScene& scene = *place.model->gpu;
+    const auto drawable = static_cast<std::size_t>(object.drawable - scene.drawables.data());
+    PosedMesh& posed = scene.posed[{place.id, drawable}];
+    object.posed = &posed;
+    if (posed.pose == place.poses)
+        return {};
+    if (posed.vertices.empty()) {
+        object.posed = nullptr;
+        Result<PosedMesh> made = checkedUpload(m_device, [&] { return object.mesh->makePosed(m_device); });
+        if (!made)
+            return made.error();
+        posed = *std::move(made);
+        object.posed = &posed;
+    }
+    deform(*object.primitive->deformation, deformingOf(object), m_moved);
+    object.mesh->upload(m_device, m_moved, posed);
+    posed.pose = place.poses;
+    return {};
+}
+
+Result<void> Frame::draw(const Viewpoint& viewpoint, const DrawTarget& target) {
     const PlacedView view = viewFrom(viewpoint, target.rotation);
     m_list.place(view, m_content.models.movements());
     updateBlocks(view, target);
     m_counters = {.drawn = m_list.visible(), .culled = m_list.size() - m_list.visible()};
+    Result<void> moved = moveVertices();
     begin(target);
     drawOpaque();
     drawSkybox();
     drawBlended();
+    return moved;
 }
 
 void Frame::use(ShaderProgram& program, const BlockViews& blocks) {
@@ -189,7 +220,7 @@ void Frame::drawOne(const Object& object) {
         program.feed(Block::User, object.place->effect ? object.place->effect->view() : m_effect.view());
     m_device.state.setCulling(!material.doubleSided || material.state.blend);
     m_device.state.setFrontFace(object.mirrored ? GL_CW : GL_CCW);
-    object.mesh->draw(m_device.gl, m_device.state, program.attributes(), material.plan.uvSets);
+    object.mesh->draw(m_device.gl, m_device.state, program.attributes(), material.plan.uvSets, object.posed);
 }
 
 // Through a transparent surface its other side is seen, which therefore comes first.

@@ -34,8 +34,9 @@ public:
     /// Goes on after an error: draw() tells it.
     bool makeProgram(GpuScene& scene);
 
-    /// With resolved programs.
-    void draw(const Viewpoint& viewpoint, const DrawTarget& target);
+    /// With resolved programs. Fails where there is no memory for the vertices of a pose: they are drawn at
+    /// rest, and all else is drawn.
+    Result<void> draw(const Viewpoint& viewpoint, const DrawTarget& target);
 
     FrameCounters counters() const { return m_counters; }
 
@@ -54,6 +55,9 @@ private:
     void clear(const DrawTarget& target);
     void use(ShaderProgram& program, const BlockViews& blocks);
     void bind(const GpuMaterial& material);
+    /// Of what poses deform and have changed.
+    Result<void> moveVertices();
+    Result<void> moveVertices(Object& object);
     void drawOne(const Object& object);
     void drawSides(const Object& object);
     void drawOpaque();
@@ -75,6 +79,7 @@ private:
     UniformBlock<EffectBlock> m_effect;           ///< Where a place has no values of its own.
     const GpuMaterial* m_boundMaterial = nullptr; ///< Whose program and textures are bound; null: unknown.
     FrameCounters m_counters;
+    Vertices m_moved; ///< Of the last object whose vertices were moved.
 };
 
 } // namespace franken

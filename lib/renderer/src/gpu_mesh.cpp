@@ -30,22 +30,37 @@ Color toColor(const glm::vec4& color) {
     return result;
 }
 
-template<typename Value, typename Convert>
-void place(MeshData& data, int offset, const std::vector<Value>& values, Convert convert) {
-    if (offset < 0)
-        return;
-    std::uint8_t* out = data.vertices.data() + offset;
-    for (const Value& value : values) {
-        const auto converted = convert(value);
-        std::memcpy(out, &converted, sizeof(converted));
-        out += data.format.stride;
-    }
-}
+/// An interleaved array that is written attribute by attribute.
+struct Interleaving {
+    const VertexFormat& format;
+    std::vector<std::uint8_t>& vertices;
+    const std::vector<std::uint32_t>& sources; ///< As those of MeshData.
 
-template<typename Value>
-void place(MeshData& data, int offset, const std::vector<Value>& values) {
-    place(data, offset, values, [](const Value& value) { return value; });
-}
+    template<typename Value, typename Convert>
+    void write(int offset, const std::vector<Value>& values, Convert convert) {
+        if (offset < 0 || values.empty())
+            return;
+        std::uint8_t* out = vertices.data() + offset;
+        const std::size_t count = sources.empty() ? values.size() : sources.size();
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto converted = convert(values[sources.empty() ? i : sources[i]]);
+            std::memcpy(out, &converted, sizeof(converted));
+            out += format.stride;
+        }
+    }
+
+    /// Of a Primitive or of Vertices, those arrays that it has.
+    template<typename Arrays>
+    void write(const Arrays& arrays) {
+        const auto asItIs = [](const auto& value) { return value; };
+        write(format.position, arrays.positions, asItIs);
+        write(format.normal, arrays.normals, asItIs);
+        write(format.tangent, arrays.tangents, asItIs);
+        for (std::size_t set = 0; set < format.uv.size(); ++set)
+            write(format.uv[set], arrays.uv[set], asItIs);
+        write(format.color, arrays.colors, toColor);
+    }
+};
 
 } // namespace
 
@@ -60,12 +75,7 @@ MeshData interleave(const Primitive& primitive) {
     format.color = reserve(format, !primitive.colors.empty(), sizeof(Color));
 
     data.vertices.resize(primitive.positions.size() * static_cast<std::size_t>(format.stride));
-    place(data, format.position, primitive.positions);
-    place(data, format.normal, primitive.normals);
-    place(data, format.tangent, primitive.tangents);
-    for (std::size_t set = 0; set < format.uv.size(); ++set)
-        place(data, format.uv[set], primitive.uv[set]);
-    place(data, format.color, primitive.colors, toColor);
+    Interleaving{format, data.vertices, data.sources}.write(primitive);
     data.indices = primitive.indices;
     return data;
 }
@@ -76,20 +86,19 @@ std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices) {
     constexpr std::uint32_t kUnseen = ~std::uint32_t{0};
     std::vector<std::uint32_t> place(whole.vertices.size() / stride, kUnseen);
     std::vector<MeshData> parts;
-    std::vector<std::uint32_t> taken; // The vertices of the last part, by their index in the whole.
     for (std::size_t triangle = 0; triangle + 2 < whole.indices.size(); triangle += 3) {
-        if (parts.empty() || taken.size() + 3 > maxVertices) {
-            for (const std::uint32_t vertex : taken)
-                place[vertex] = kUnseen;
-            taken.clear();
+        if (parts.empty() || parts.back().sources.size() + 3 > maxVertices) {
+            if (!parts.empty())
+                for (const std::uint32_t vertex : parts.back().sources)
+                    place[vertex] = kUnseen;
             parts.push_back({whole.format, {}, {}});
         }
         MeshData& part = parts.back();
         for (std::size_t corner = triangle; corner < triangle + 3; ++corner) {
             const std::uint32_t vertex = whole.indices[corner];
             if (place[vertex] == kUnseen) {
-                place[vertex] = static_cast<std::uint32_t>(taken.size());
-                taken.push_back(vertex);
+                place[vertex] = static_cast<std::uint32_t>(part.sources.size());
+                part.sources.push_back(vertex);
                 const auto from = whole.vertices.begin() + static_cast<std::ptrdiff_t>(vertex * stride);
                 part.vertices.insert(part.vertices.end(), from, from + static_cast<std::ptrdiff_t>(stride));
             }
@@ -120,7 +129,8 @@ MeshPart partOf(MeshData data) {
             .vertices = std::move(data.vertices),
             .indices = wide ? bytesAs<std::uint32_t>(data.indices) : bytesAs<std::uint16_t>(data.indices),
             .count = static_cast<GLsizei>(data.indices.size()),
-            .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT)};
+            .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT),
+            .sources = std::move(data.sources)};
 }
 
 } // namespace
@@ -133,6 +143,8 @@ std::vector<MeshPart> partsOf(const Primitive& primitive, const Capabilities& ca
             parts.push_back(partOf(std::move(part)));
     else
         parts.push_back(partOf(std::move(whole)));
+    for (MeshPart& part : parts)
+        part.deforms = primitive.deformation != nullptr;
     return parts;
 }
 
@@ -151,7 +163,9 @@ Result<void> MeshUpload::beginBuffer(Device& device) {
                                   .indices = {},
                                   .memory = *std::move(lease),
                                   .count = part.count,
-                                  .indexType = part.indexType});
+                                  .indexType = part.indexType,
+                                  .staging = part.deforms ? part.vertices : std::vector<std::uint8_t>(),
+                                  .sources = std::move(part.sources)});
     }
     Result<BufferUpload> begun =
         BufferUpload::begin(device.gl, m_ofIndices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER,
@@ -199,17 +213,47 @@ void GpuMesh::setPointers(GlState& state, unsigned attributes, const std::array<
     }
 }
 
-void GpuMesh::draw(const Gl& gl, GlState& state, unsigned attributes,
-                   const std::array<int, 2>& uvSets) const {
+void GpuMesh::draw(const Gl& gl, GlState& state, unsigned attributes, const std::array<int, 2>& uvSets,
+                   const PosedMesh* posed) const {
     const unsigned layout =
         attributes | static_cast<unsigned>(uvSets[0]) << 8 | static_cast<unsigned>(uvSets[1]) << 9;
-    for (const Part& part : m_parts) {
+    for (std::size_t i = 0; i < m_parts.size(); ++i) {
+        const Part& part = m_parts[i];
+        const GLuint vertices = (posed == nullptr ? part.vertices : posed->vertices[i]).name();
         state.bindIndices(part.indices.name());
-        if (state.changesPointers(part.vertices.name(), layout)) {
-            state.bindVertices(part.vertices.name());
+        if (state.changesPointers(vertices, layout)) {
+            state.bindVertices(vertices);
             setPointers(state, attributes, uvSets);
         }
         gl.DrawElements(GL_TRIANGLES, part.count, part.indexType, nullptr);
+    }
+}
+
+Result<PosedMesh> GpuMesh::makePosed(Device& device) const {
+    PosedMesh posed;
+    for (const Part& part : m_parts) {
+        assert(!part.staging.empty() && "only what deforms has other poses");
+        Result<MemoryLease> lease = device.memory.reserve(MemoryUse::Meshes, part.staging.size());
+        if (!lease)
+            return lease.error();
+        Result<GlBuffer> buffer =
+            uploadBuffer(device.gl, GL_ARRAY_BUFFER, std::as_bytes(std::span(part.staging)));
+        if (!buffer)
+            return buffer.error();
+        posed.memory.push_back(*std::move(lease));
+        posed.vertices.push_back(*std::move(buffer));
+    }
+    return posed;
+}
+
+// All of a buffer at once: a driver need not wait for the frame before, which may still read the old bytes.
+void GpuMesh::upload(Device& device, const Vertices& vertices, const PosedMesh& posed) {
+    for (std::size_t i = 0; i < m_parts.size(); ++i) {
+        Part& part = m_parts[i];
+        Interleaving{m_format, part.staging, part.sources}.write(vertices);
+        device.state.bindVertices(posed.vertices[i].name());
+        device.gl.BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(part.staging.size()),
+                                part.staging.data());
     }
 }
 

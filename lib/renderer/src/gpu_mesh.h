@@ -26,6 +26,7 @@ struct MeshData {
     VertexFormat format;
     std::vector<std::uint8_t> vertices;
     std::vector<std::uint32_t> indices;
+    std::vector<std::uint32_t> sources = {}; ///< Of a part: its vertices, by their index in the primitive.
 };
 
 MeshData interleave(const Primitive& primitive);
@@ -39,6 +40,8 @@ struct MeshPart {
     std::vector<std::uint8_t> vertices, indices;
     GLsizei count = 0;
     GLenum indexType = GL_UNSIGNED_SHORT;
+    bool deforms = false;                    ///< Its vertices will be needed again.
+    std::vector<std::uint32_t> sources = {}; ///< As those of MeshData; empty for a whole primitive.
 
     std::size_t bytes() const { return vertices.size() + indices.size(); }
 };
@@ -47,6 +50,13 @@ struct MeshPart {
 /// kMaxShortVertices they are 32 bits wide, or the primitive is split, as the context has it.
 std::vector<MeshPart> partsOf(const Primitive& primitive, const Capabilities& capabilities);
 
+/// The vertices of a primitive in the pose of one place, part by part.
+struct PosedMesh {
+    std::vector<GlBuffer> vertices = {};
+    std::vector<MemoryLease> memory = {};
+    unsigned pose = 0; ///< Place::poses; 0: none yet.
+};
+
 /// A primitive's buffers.
 class GpuMesh {
 public:
@@ -54,8 +64,16 @@ public:
     static constexpr std::size_t kMaxShortVertices = 65'535;
 
     /// Draws with the program in use, whose attribute arrays (those and no others) are enabled. uvSets: which
-    /// TEXCOORD_n is fed to each UV stream.
-    void draw(const Gl& gl, GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;
+    /// TEXCOORD_n is fed to each UV stream. `posed`: the vertices to draw in place of those at rest; may be
+    /// null.
+    void draw(const Gl& gl, GlState& state, unsigned attributes, const std::array<int, 2>& uvSets,
+              const PosedMesh* posed = nullptr) const;
+
+    /// Room for the vertices in another pose; only of a primitive that deforms. Fails with "memory.budget"
+    /// and "gl.object".
+    Result<PosedMesh> makePosed(Device& device) const;
+    /// Fills it. Allocates nothing.
+    void upload(Device& device, const Vertices& vertices, const PosedMesh& posed);
 
 private:
     friend class MeshUpload;
@@ -64,6 +82,8 @@ private:
         MemoryLease memory;
         GLsizei count = 0;
         GLenum indexType = GL_UNSIGNED_SHORT;
+        std::vector<std::uint8_t> staging = {};  ///< Vertices, of what deforms: those of the last upload().
+        std::vector<std::uint32_t> sources = {}; ///< As those of MeshData.
     };
 
     void setPointers(GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;

@@ -21,6 +21,7 @@ Outline outlineOf(const Scene& scene) {
     outline.scene.materials = scene.materials;
     outline.scene.variants = scene.variants;
     outline.scene.nodes = scene.nodes;
+    outline.scene.skins = scene.skins;
     for (const Instance& instance : scene.instances)
         outline.nodes.push_back(instance.name);
     return outline;

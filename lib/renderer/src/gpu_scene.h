@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/material.h"
+#include "franken/place.h"
 #include "franken/program_cache.h"
 #include "franken/program_uses.h"
 #include "frustum.h"
@@ -10,7 +11,10 @@
 
 #include <glm/ext/matrix_double4x4.hpp>
 
+#include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace franken {
@@ -32,7 +36,8 @@ struct GpuMaterial {
 struct GpuPrimitive {
     std::size_t mesh; ///< Of GpuScene.
     VertexContents contents;
-    Box bounds;
+    Box bounds;                                     ///< At rest.
+    std::shared_ptr<const Deformation> deformation; ///< May be null.
     std::vector<std::size_t> materials; ///< Of GpuScene: its own, and then one for each variant, if any.
 
     std::size_t materialIn(int variant) const {
@@ -48,6 +53,7 @@ struct Drawable {
     bool mirrored;
     bool visible;      ///< At rest.
     int nodeIndex;     ///< Of the scene; kNone for what no pose moves.
+    int skin;          ///< Of the scene; kNone for what no joints move.
     glm::dmat4 offset; ///< From the object to its node.
 };
 
@@ -59,13 +65,15 @@ struct GpuScene {
     std::vector<GpuMaterial> materials;
     std::vector<GpuPrimitive> primitives; ///< In the order of the scene's meshes.
     std::vector<Drawable> drawables;
+    /// By place and drawable: what a pose has deformed.
+    std::map<std::pair<PlaceId, std::size_t>, PosedMesh> posed;
 
     static constexpr std::size_t kNotUploaded = ~std::size_t{0};
 };
 
 /// What stays of a scene when its pixels and vertices are on the GPU.
 struct Outline {
-    Scene scene; ///< Textures, materials, variants and nodes alone.
+    Scene scene; ///< Textures, materials, variants, nodes and skins alone.
     std::vector<std::string> nodes;
 };
 Outline outlineOf(const Scene& scene);

@@ -40,7 +40,7 @@ bool Models::isNeeded(const Model& model) const {
 
 void Models::forgetOldNodes(Model& model) {
     for (Place* place : model.places)
-        if (place->nodes.size() != model.outline.scene.nodes.size())
+        if (!check(model.outline.scene, place->pose))
             place->nodes.clear(); // The source reads another file now.
 }
 

@@ -27,6 +27,8 @@ struct Place {
     bool visible = true;
     int variant = kNone;                                  ///< Of the scene.
     std::vector<NodeWorld> nodes = {};                    ///< In the model, by Scene::nodes; empty: at rest.
+    Pose pose = {};                                       ///< That `nodes` are from.
+    unsigned poses = 0;                                   ///< How often `pose` has changed.
     unsigned movements = 0;                               ///< How often `world` and `nodes` have changed.
     std::optional<UniformBlock<EffectBlock>> effect = {}; ///< Instead of the frame's.
 };
@@ -155,7 +157,6 @@ private:
     std::vector<std::unique_ptr<Model>> m_models;
     std::unordered_map<PlaceId, Place> m_places; ///< Whose addresses stay.
     std::vector<Model*> m_shown, m_wanted;       ///< Neither is evicted; `m_wanted` is about to be shown.
-    std::vector<NodeWorld> m_nextNodes;          ///< Of setPose().
     std::vector<Model*> m_asked;                 ///< What show() was called with, resident or not.
     std::vector<Model*> m_queue;                 ///< To be loaded by step(); the first is being loaded.
     std::optional<Loading> m_loading;

@@ -44,6 +44,9 @@ void Models::removePlace(PlaceId id) {
     if (place == nullptr)
         return;
     Model& model = *place->model;
+    const auto isOfPlace = [id](const auto& posed) { return posed.first.first == id; };
+    if (model.gpu && std::erase_if(model.gpu->posed, isOfPlace) > 0)
+        m_device.state.invalidate();
     std::erase(model.places, place);
     m_places.erase(id);
     notePlaces(model);
@@ -79,10 +82,11 @@ Result<void> Models::setPose(PlaceId id, const Pose& pose) {
     const Scene& outline = place->model->outline.scene;
     if (Result<void> checked = check(outline, pose); !checked)
         return checked;
-    worldsOf(outline, pose, m_nextNodes);
-    if (place->nodes == m_nextNodes)
+    if (!place->nodes.empty() && place->pose == pose)
         return {};
-    place->nodes = m_nextNodes;
+    place->pose = pose;
+    ++place->poses;
+    worldsOf(outline, place->pose, place->nodes);
     noteMovement(*place);
     return {};
 }

@@ -351,7 +351,9 @@ Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target
         Result<void> resolved = state.frame.resolvePrograms(&target);
         if (!resolved && resolved.error().code == franken::contextLost().code)
             return resolved;
-        state.frame.draw(viewpoint, target);
+        Result<void> drawn = state.frame.draw(viewpoint, target);
+        if (!drawn && resolved)
+            resolved = std::move(drawn);
         return state.lightingError ? resolved : state.lightingError;
     });
 }

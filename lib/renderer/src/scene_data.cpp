@@ -29,6 +29,7 @@ public:
                                            .mirrored = instance.mirrored,
                                            .visible = instance.visible,
                                            .nodeIndex = instance.nodeIndex,
+                                           .skin = instance.skin,
                                            .offset = instance.offset});
         }
         return std::move(m_plan);
@@ -44,6 +45,7 @@ private:
         GpuPrimitive gpu{.mesh = known->second,
                          .contents = m_contents[known->second],
                          .bounds = primitive.bounds,
+                         .deformation = primitive.deformation,
                          .materials = {materialFor(primitive.material, m_contents[known->second])}};
         for (const int material : primitive.variantMaterials)
             gpu.materials.push_back(

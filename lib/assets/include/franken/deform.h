@@ -61,8 +61,8 @@ struct Deformation {
     bool flat = false;
 
     // For bounds without a look at the vertices; measure() fills them in.
-    Box box = {};                     ///< Of bind.positions.
-    std::vector<Box> jointBoxes = {}; ///< By joint: of the vertices that it moves; empty for none.
+    Box box = {};                      ///< Of bind.positions.
+    std::vector<Box> jointBoxes = {};  ///< By joint: of the vertices that it moves; empty for none.
     std::vector<Box> targetBoxes = {}; ///< By target: of its differences and 0.
 };
 

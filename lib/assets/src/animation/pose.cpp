@@ -127,7 +127,8 @@ void follow(const Scene& scene, const std::vector<NodeWorld>& worlds, Instance& 
     if (instance.skin == kNone)
         return;
     const Skin& skin = scene.skins[static_cast<std::size_t>(instance.skin)];
-    instance.world = glm::translate(glm::dmat4(1.0), glm::dvec3(worldOf(worlds, skin.joints.front()).matrix[3]));
+    instance.world =
+        glm::translate(glm::dmat4(1.0), glm::dvec3(worldOf(worlds, skin.joints.front()).matrix[3]));
 }
 
 void follow(const std::vector<NodeWorld>& worlds, Camera& camera) {

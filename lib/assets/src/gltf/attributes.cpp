@@ -57,7 +57,7 @@ Fit judgeUv(const tinygltf::Accessor& accessor, bool isTarget, bool quantized) {
 
 Fit judgeColor(const tinygltf::Accessor& accessor, bool isTarget = false) {
     const bool isInteger = isOneOf(accessor.componentType, {kUByte, kUShort}) ||
-                            (isTarget && isOneOf(accessor.componentType, {kByte, kShort}));
+                           (isTarget && isOneOf(accessor.componentType, {kByte, kShort}));
     if (!isOneOf(accessor.type, {TINYGLTF_TYPE_VEC3, TINYGLTF_TYPE_VEC4}) ||
         (accessor.componentType != kFloat && !isInteger))
         return Fit::Wrong;

@@ -192,12 +192,12 @@ bool chargePrimitive(Document& source, const tinygltf::Primitive& from, const st
            source.charge(corners, 4 + (flat ? kVertexBytes : 0) + (tangents ? kTangentBytes : 0), where);
 }
 
-/// What joints and targets add to each vertex.
+/// Bytes of each vertex that nothing has moved yet, at least, and of its joints and targets.
 std::size_t bytesOfVertex(const Deformation& deformation) {
     const auto bytes = [](const auto& values) {
         return values.empty() ? 0 : sizeof(typename std::decay_t<decltype(values)>::value_type);
     };
-    std::size_t sum = deformation.influencesPerVertex * sizeof(Influence);
+    std::size_t sum = sizeof(glm::vec3) + deformation.influencesPerVertex * sizeof(Influence);
     for (const Vertices& target : deformation.targets)
         sum += bytes(target.positions) + bytes(target.normals) + bytes(target.tangents) +
                bytes(target.uv[0]) + bytes(target.uv[1]) + bytes(target.colors);

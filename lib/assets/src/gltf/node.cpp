@@ -74,11 +74,11 @@ private:
     Document& m_source;
     const NodePlaces& m_places;
     Scene& m_scene;
-    std::vector<NodeWorld> m_worlds;                             ///< By file node.
+    std::vector<NodeWorld> m_worlds;                     ///< By file node.
     std::map<std::pair<int, MeshUse>, int> m_still;      ///< From file meshes to Scene::meshes.
     std::map<std::pair<int, MeshUse>, Mesh> m_deforming; ///< By file mesh, as nothing has moved them.
-    std::map<int, Skin> m_skins;                      ///< By file skin; joints are nodes of the file.
-    std::map<int, int> m_skinPlaces;                  ///< From file skins to Scene::skins.
+    std::map<int, Skin> m_skins;                         ///< By file skin; joints are nodes of the file.
+    std::map<int, int> m_skinPlaces;                     ///< From file skins to Scene::skins.
 };
 
 bool Walker::readSkin(int index, const Skin*& out) {
@@ -91,7 +91,8 @@ bool Walker::readSkin(int index, const Skin*& out) {
     // The palette of each use is charged, and for the first, all that is kept.
     constexpr std::size_t kBytes = 2 * (sizeof(int) + sizeof(glm::mat4)) + sizeof(float[16]);
     const auto [place, isNew] = m_skins.try_emplace(index);
-    if (!m_source.charge(from.joints.size(), sizeof(glm::mat4x3) + (isNew ? kBytes : 0), pathOf("skins", index)))
+    if (!m_source.charge(from.joints.size(), sizeof(glm::mat4x3) + (isNew ? kBytes : 0),
+                         pathOf("skins", index)))
         return false;
     Skin& skin = place->second;
     out = &skin;
@@ -198,8 +199,7 @@ bool Walker::moveToRest(int index, const MeshUse& use, const Instance& instance,
     for (Primitive& primitive : m_scene.meshes[at(instance.mesh)].primitives) {
         if (!m_source.charge(primitive.positions.size(), kVertexBytes, pathOf("nodes", index)))
             return false;
-        deform(primitive,
-               {.weights = weights, .joints = palette.joints, .mirrored = instance.mirrored});
+        deform(primitive, {.weights = weights, .joints = palette.joints, .mirrored = instance.mirrored});
         if (!std::all_of(primitive.positions.begin(), primitive.positions.end(), isFinite<glm::vec3>))
             return m_source.fail("gltf.value", pathOf("nodes", index),
                                  "the pose moves a vertex out of the range of floats");

@@ -74,8 +74,8 @@ void applySkin(const Skinning& skin, Vertices& vertices) {
         if (hasNormals)
             vertices.normals[v] = normalMatrix(matrix) * vertices.normals[v];
         if (hasTangents)
-            vertices.tangents[v] = glm::vec4(glm::mat3(matrix) * glm::vec3(vertices.tangents[v]),
-                                             vertices.tangents[v].w);
+            vertices.tangents[v] =
+                glm::vec4(glm::mat3(matrix) * glm::vec3(vertices.tangents[v]), vertices.tangents[v].w);
     }
 }
 
@@ -84,8 +84,7 @@ void normalize(const Vertices& bind, Vertices& vertices) {
         vertices.normals[v] = unit(vertices.normals[v], bind.normals[v]);
     for (std::size_t v = 0; v < vertices.tangents.size(); ++v) {
         const glm::vec4& tangent = vertices.tangents[v];
-        vertices.tangents[v] =
-            glm::vec4(unit(glm::vec3(tangent), glm::vec3(bind.tangents[v])), tangent.w);
+        vertices.tangents[v] = glm::vec4(unit(glm::vec3(tangent), glm::vec3(bind.tangents[v])), tangent.w);
     }
 }
 

@@ -230,7 +230,7 @@ void Builder::adoptDegenerates() {
 void Builder::store() {
     std::vector<Index> owner(m_primitive.positions.size(), kNoIndex);
     std::unordered_map<std::uint64_t, Index> copies; // (vertex, group) -> the copy
-    std::vector<Index> sources(owner.size()); // Of each vertex, the one that it is a copy of.
+    std::vector<Index> sources(owner.size());        // Of each vertex, the one that it is a copy of.
     std::iota(sources.begin(), sources.end(), 0u);
     std::vector<glm::vec4> tangents(owner.size(), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));
     for (Index corner = 0; corner < m_primitive.indices.size(); ++corner) {

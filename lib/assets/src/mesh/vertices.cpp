@@ -56,9 +56,8 @@ void bind(Primitive& primitive) {
                            [&](const Vertices& target) { return !member(target).empty(); });
     };
     Vertices& vertices = deformation.bind;
-    vertices = {.positions = primitive.positions,
-                .normals = primitive.normals,
-                .tangents = primitive.tangents};
+    vertices = {
+        .positions = primitive.positions, .normals = primitive.normals, .tangents = primitive.tangents};
     for (std::size_t set = 0; set < std::size(vertices.uv); ++set)
         if (anyTarget([set](const Vertices& target) -> auto& { return target.uv[set]; }))
             vertices.uv[set] = primitive.uv[set];

@@ -145,10 +145,12 @@ public:
     /// Moves all that stands there; a mirror in the matrix mirrors. Uploads nothing: the next frame computes
     /// one matrix for each primitive of the place.
     Result<void> setWorld(PlaceId place, const glm::dmat4& world);
-    /// Moves the nodes of what stands there (pose.h), and hides what the pose hides. Skinned meshes stay as
-    /// they are, and morph weights are not heeded. Uploads nothing: the next frame computes one matrix for
-    /// each primitive of the place; a pose that moves nothing costs nothing. Allocates for the first pose of
-    /// a place alone. Lighting and viewpoint are the application's: follow() moves the scene's lights and
+    /// Moves the nodes of what stands there (pose.h), and hides what the pose hides: the next frame computes
+    /// one matrix for each primitive of the place. Where skins or morph targets move the vertices of a
+    /// primitive that is in view, that frame computes them on the CPU and uploads them, into buffers that the
+    /// place has for itself (draw() fails with "memory.budget" or as an upload where there is no room; then
+    /// they are drawn at rest). The same pose again costs nothing. Allocates for the first pose of a place
+    /// alone. Lighting and viewpoint are the application's: follow() moves the scene's lights and
     /// cameras. Fails with "pose.nodes" for a pose of another scene.
     Result<void> setPose(PlaceId place, const Pose& pose);
     /// Hides or shows what stands there, at no cost. Its programs are there already when it is shown.
