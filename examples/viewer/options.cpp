@@ -238,7 +238,7 @@ void addModel(CLI::App& app, Options& options) {
         ->type_name("NAME");
     app.add_option("--animation", options.animation,
                    "One of the file's animations, by its name or its index in the file: the picture shows it "
-                   "at --time. Nodes, cameras and lights move, skins and morph targets stay at rest [none]")
+                   "at --time. Nodes, skins, morph targets, cameras and lights move [none]")
         ->type_name("NAME|INDEX");
     app.add_option_function<std::string>(
            "--time", [&options](const std::string& text) { options.time = toNumber("--time", text); },

@@ -57,7 +57,7 @@ struct LoadOptions {
 /// morph weights and the skins of the file's own pose applied once, strips and fans as lists, every integer
 /// format as float, missing normals flat and missing tangents computed, as the glTF 2.0 text has it.
 /// Points, lines and optional extensions that are not known are left out, each with one warning.
-/// Animations of nodes come along (pose.h); skins and morph targets are at rest.
+/// Animations, skins and morph targets come along (pose.h, deform.h).
 ///
 /// Known extensions: KHR_animation_pointer (of nodes), KHR_lights_punctual, KHR_materials_emissive_strength,
 /// KHR_materials_unlit, KHR_materials_variants, KHR_mesh_quantization, KHR_node_visibility,
