@@ -106,5 +106,15 @@ TEST_F(Commands, OfASky) {
         expectSuccess(command);
 }
 
+TEST_F(Commands, OfTheToolkits) {
+    if (run("command -v toolkit_sdl2").code != 0)
+        GTEST_SKIP() << "needs SDL 2 (Debian package libsdl2-dev)";
+    const std::vector<std::string> commands = commandsOf("examples/toolkits/frankenshader-beside-a-toolkit");
+    EXPECT_EQ(commands.size(), 2u);
+    for (const std::string& command : commands)
+        expectSuccess("export GALLIUM_DRIVER=softpipe LIBGL_ALWAYS_SOFTWARE=1; " + command);
+    EXPECT_TRUE(fs::exists(m_folder / "sdl2.png"));
+}
+
 } // namespace
 } // namespace franken::test

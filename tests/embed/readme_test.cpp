@@ -6,6 +6,7 @@
 #include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
 #include "franken/file_writer.h"
 #include "franken/manifest.h"
+#include "franken/orbit_camera.h"
 #include "franken/overlay_text.h"
 #include "franken/ray_through.h"
 #include "support/draw_scene.h"
@@ -15,6 +16,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+
+#include <numbers>
 
 namespace franken::test {
 namespace {
@@ -84,6 +87,9 @@ TEST_P(Readme, ThingsChange) {
     Material red;
     red.factors.baseColor = {1, 0, 0, 1};
     scene.materials.push_back(red);
+    scene.images.push_back(checkers(4, 2, glm::vec4(1), glm::vec4(0)));
+    scene.textures.push_back({.image = 0});
+    scene.materials[0].textures[TextureRole::BaseColor].texture = 0;
     scene.variants = {"red"};
     scene.meshes[0].primitives[0].variantMaterials = {1};
     const SceneSource reload = [&] { return Result<Scene>(scene); };
@@ -100,6 +106,8 @@ TEST_P(Readme, ThingsChange) {
     gl().BindTexture(GL_TEXTURE_2D, video);
 #include "blocks/things-that-change.inc"
     EXPECT_TRUE(hit && *hit) << "the square is in the middle";
+    EXPECT_NEAR(orbit.orbit().yaw, OrbitCamera(camera, scene.bounds()).orbit().yaw - 0.1 * std::numbers::pi,
+                1e-9);
     EXPECT_EQ(table->materials.size(), 1u);
     EXPECT_EQ(renderer.frameCounters().drawn, 2u);
     const ReadBack picture = readBack();

@@ -11,6 +11,9 @@
 namespace franken::test {
 namespace {
 
+/// The examples; empty where the toolkit is not installed.
+const std::string kSdl2 = TOOLKIT_SDL2, kQt6 = TOOLKIT_QT6;
+
 class Toolkits : public testing::Test {
 protected:
     void SetUp() override {
@@ -102,11 +105,10 @@ constexpr Color kBlue = {0, 0, 255};
 constexpr double kHalf = 128.0 / 255;
 
 TEST_F(Toolkits, SdlDrawsBeforeTheModelAndOverIt) {
-#ifndef TOOLKIT_SDL2
-    GTEST_SKIP() << "needs SDL 2 (Debian package libsdl2-dev)";
-#else
+    if (kSdl2.empty())
+        GTEST_SKIP() << "needs SDL 2 (Debian package libsdl2-dev)";
     const Picture model = alone({240, 240}, false);
-    for (const Picture& frame : frames("SDL_VIDEODRIVER=offscreen " TOOLKIT_SDL2)) {
+    for (const Picture& frame : frames("SDL_VIDEODRIVER=offscreen " + kSdl2)) {
         ASSERT_EQ(frame.rgba.size(), 4u * 320 * 240);
         Count panel, bar, surfaces, background, band;
         for (int y = 0; y < 240; ++y)
@@ -127,10 +129,8 @@ TEST_F(Toolkits, SdlDrawsBeforeTheModelAndOverIt) {
             EXPECT_GT(count->all, 2000);
         }
     }
-#endif
 }
 
-#ifdef TOOLKIT_QT6
 /// The background of the example's window: a gradient of Qt's.
 Color dusk(int y) { return mixed({0, 30, 90}, {230, 120, 60}, (y + 0.5) / 240); }
 
@@ -157,12 +157,10 @@ void expectQtAndModel(const Picture& frame, const Picture& model) {
     EXPECT_GT(text, 40) << "the label's text";
     EXPECT_LT(text, 400) << "the label's text";
 }
-#endif
 
 TEST_F(Toolkits, QtDrawsBeforeTheModelAndOverIt) {
-#ifndef TOOLKIT_QT6
-    GTEST_SKIP() << "needs Qt 6 (Debian package qt6-base-dev)";
-#else
+    if (kQt6.empty())
+        GTEST_SKIP() << "needs Qt 6 (Debian package qt6-base-dev)";
     if (runIn(m_folder, "command -v Xvfb").code != 0)
         GTEST_SKIP() << "needs an X server (Debian package xvfb)";
     const XServer server;
@@ -171,19 +169,18 @@ TEST_F(Toolkits, QtDrawsBeforeTheModelAndOverIt) {
     for (const char* contexts : {"xcb_egl", "xcb_glx"})
         for (const Picture& frame :
              frames("DISPLAY=" + server.display() + " QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=1 " +
-                    "QT_XCB_GL_INTEGRATION=" + contexts + " " TOOLKIT_QT6))
+                    "QT_XCB_GL_INTEGRATION=" + contexts + " " + kQt6))
             expectQtAndModel(frame, model);
-#endif
 }
 
-#ifdef TOOLKIT_SDL2
 TEST_F(Toolkits, SayWhatTheyCannotShow) {
-    const Outcome outcome = runIn(m_folder, "SDL_VIDEODRIVER=offscreen " TOOLKIT_SDL2 " missing.glb 1.png");
+    if (kSdl2.empty())
+        GTEST_SKIP() << "needs SDL 2 (Debian package libsdl2-dev)";
+    const Outcome outcome = runIn(m_folder, "SDL_VIDEODRIVER=offscreen " + kSdl2 + " missing.glb 1.png");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.err.find("missing.glb"), std::string::npos) << outcome.err;
-    EXPECT_EQ(runIn(m_folder, TOOLKIT_SDL2).code, 2);
+    EXPECT_EQ(runIn(m_folder, kSdl2).code, 2);
 }
-#endif
 
 } // namespace
 } // namespace franken::test
