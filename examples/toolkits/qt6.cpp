@@ -31,24 +31,33 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
+    void release();
     Result<void> drawModel();
 
     std::filesystem::path m_model;
     std::unique_ptr<ModelView> m_view;
     Result<void> m_result;
     QPointF m_mouse;
+    QMetaObject::Connection m_contextEnds;
 };
 
 ModelWidget::~ModelWidget() {
+    disconnect(m_contextEnds);
+    release();
+}
+
+void ModelWidget::release() {
     makeCurrent(); // The view deletes its GL objects.
     m_view.reset();
     doneCurrent();
 }
 
+// Once for each context: a widget that moves to another window gets a new one.
 void ModelWidget::initializeGL() {
     const auto getProcAddress = [](const char* name) {
         return reinterpret_cast<void*>(QOpenGLContext::currentContext()->getProcAddress(name));
     };
+    m_contextEnds = connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] { release(); });
     Result<std::unique_ptr<ModelView>> view = ModelView::open(getProcAddress, m_model);
     if (view)
         m_view = *std::move(view);

@@ -304,6 +304,9 @@ TEST_P(SharingTest, GlIsHandedBackAsItWas) {
         ASSERT_TRUE(covered);
         EXPECT_EQ(pixel(*covered, 0, 0), (ReadBack::Pixel{255, 0, 0, 255}));
         EXPECT_EQ(pixel(*covered, 3, 0), (ReadBack::Pixel{0, 255, 255, 255}));
+        renderer.setLook({.toneMap = frame == 0 ? ToneMap::Aces : ToneMap::Neutral});
+        ASSERT_TRUE(renderer.draw(viewpoint(at), at)) << "with programs that are compiled and proved";
+        renderer.setLook({});
         EXPECT_NE(stateOf(gl()), before);
         ASSERT_TRUE(renderer.releaseState());
         EXPECT_EQ(stateOf(gl()), before) << "frame " << frame;
