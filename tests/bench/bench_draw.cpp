@@ -2,10 +2,12 @@
 // What the CPU does for a draw: the renderer next to a loop that is written by hand for this one scene, over
 // a driver that does nothing, over Mesa's software renderer, and over whatever EGL finds. 1,000 objects, the
 // camera moves. One run measures both, and holds that both make the same calls of GL but for their order.
+#include "franken/overlay_text.h"
 #include "franken/platform/surface.h"
 #include "franken/renderer.h"
 #include "hand_loop.h"
 #include "ratio_reporter.h"
+#include "support/font_builder.h"
 #include "support/gl_recorder.h"
 #include "support/null_gl.h"
 #include "support/shapes.h"
@@ -13,6 +15,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <iostream>
 #include <map>
 
@@ -112,6 +115,29 @@ void measure(benchmark::State& state, const Driver& driver) {
     state.SetItemsProcessed(state.iterations() * kObjects);
 }
 
+/// The processor's time for a text of 200 glyphs that is another one in each frame, of glyphs that are there.
+void measureText(benchmark::State& state, const Driver& driver) {
+    constexpr int kGlyphs = 200, kLines = 10;
+    if (driver.surface && !driver.surface->makeCurrent())
+        std::exit(2);
+    std::array<std::string, 2> texts;
+    for (int i = 0; i < kGlyphs; ++i)
+        for (std::size_t text = 0; text < texts.size(); ++text)
+            texts[text] += std::string(1, "AVBo"[(static_cast<std::size_t>(i) + text) % 4]) +
+                           (i % (kGlyphs / kLines) == 0 ? "\n" : "");
+    Renderer renderer(driver.gl);
+    OverlayText overlay(renderer);
+    const Result<TextId> id = overlay.add(
+        {.font = *parseFont(test::soundFont().bytes()), .utf8 = texts[0], .style = {.pixels = 12}});
+    const DrawTarget target{.framebuffer = driver.framebuffer(), .width = kSize, .height = kSize};
+    std::size_t frame = 0;
+    for (auto _ : state)
+        if (!overlay.set(*id, texts[++frame % 2]) || !overlay.draw(target))
+            std::exit(2);
+    driver.gl.Finish();
+    state.SetItemsProcessed(state.iterations() * kGlyphs);
+}
+
 template<typename Loop>
 std::map<std::string_view, int> callsOfAFrame() {
     const Gl gl = test::recordingGl(test::nullGl());
@@ -155,6 +181,7 @@ int main(int argc, char** argv) {
     for (const Driver& driver : all) {
         benchmark::RegisterBenchmark(("renderer/" + driver.name).c_str(), measure<Ours>, std::cref(driver));
         benchmark::RegisterBenchmark(("hand/" + driver.name).c_str(), measure<Hand>, std::cref(driver));
+        benchmark::RegisterBenchmark(("text/" + driver.name).c_str(), measureText, std::cref(driver));
     }
     bench::RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // make_corpus FOLDER NAMES: writes what the fuzzers start from: the malformed files of the tests, and the
-// sound ones that they were made of; the named permutations in the file NAMES.
+// sound ones that they were made of; small fonts; the named permutations in the file NAMES.
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -13,6 +13,7 @@
 #include "franken/baked_sky.h"
 #include "malformed/malformed.h"
 #include "malformed/pictures.h"
+#include "support/font_builder.h"
 
 namespace {
 
@@ -49,6 +50,22 @@ void writeFloatSkies(const fs::path& folder) {
 #endif
 }
 
+void writeFonts(const fs::path& folder) {
+    using namespace franken::test;
+    const auto writeFont = [&](const char* name, const FontFile& font) {
+        const std::vector<std::uint8_t> bytes = font.bytes();
+        write(folder, name, {bytes.begin(), bytes.end()});
+    };
+    FontFile font = soundFont();
+    writeFont("groups", font);
+    font.tables["GPOS"] = pairPositioning();
+    writeFont("positioning", font);
+    font.tables["cmap"] = segmentMap();
+    font.setGlyphs(soundGlyphs(), false);
+    font.tables["head"].replace(50, 2, 2, '\0');
+    writeFont("segments", font);
+}
+
 void writeNames(const fs::path& folder, const std::string& file) {
     std::ifstream in(file);
     std::stringstream whole;
@@ -79,8 +96,9 @@ int main(int argc, char** argv) {
               pictures::jpeg(32, 16, progressive, 5));
     write(folder / "sky", "baked", bakedSky());
     writeFloatSkies(folder / "sky");
+    writeFonts(folder / "font");
     writeNames(folder, argv[2]);
-    for (const char* part : {"gltf", "sky", "manifest", "permutation"}) {
+    for (const char* part : {"gltf", "font", "sky", "manifest", "permutation"}) {
         const auto count = std::distance(fs::directory_iterator(folder / part), fs::directory_iterator());
         std::cout << part << ": " << count << " seeds\n";
     }

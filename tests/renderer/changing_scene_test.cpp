@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a scene that changes all the time costs: allocations, compiles, and memory that stays.
 #include "franken/generator/effect.h"
+#include "franken/overlay_text.h"
 #include "franken/renderer.h"
+#include "support/font_builder.h"
 #include "support/gl_recorder.h"
 #include "support/heap_count.h"
 #include "support/null_gl.h"
@@ -157,6 +159,42 @@ TEST(ChangingScene, AnOverlayThatIsUpdatedAllocatesNothing) {
     EXPECT_EQ(after - before, 0u);
 }
 
+TEST(ChangingScene, ATextOfKnownGlyphsAllocatesAndUploadsNothing) {
+    const Result<Font> font = parseFont(soundFont().bytes());
+    ASSERT_TRUE(font);
+    Renderer renderer(recordingGl(nullGl())), quietRenderer(nullGl()); // The recorder allocates.
+    const auto changes = [&](Renderer& of) {
+        return [&of,
+                texts = std::make_shared<OverlayText>(of, OverlayTextOptions{.log = [](LogLevel, auto) {}}),
+                id = TextId{}, &font](int number) mutable {
+            constexpr const char* kTexts[] = {"AVA BVB", "oo\nA",
+                                              "A longer \xC3\xA9 text of AVBo that is wrapped", ""};
+            if (number == 0)
+                id = *texts->add({.font = *font, .utf8 = kTexts[2], .style = {.pixels = 12, .width = 100}});
+            const Result<void> done[] = {texts->set(id, kTexts[number % 4]),
+                                         texts->setPlace(id, 1, float(number)),
+                                         texts->setColor(id, {1, 1, 1, 0.5f}), texts->draw(kTarget)};
+            return std::all_of(std::begin(done), std::end(done),
+                               [](const auto& result) { return bool(result); });
+        };
+    };
+    auto change = changes(renderer), quietChange = changes(quietRenderer);
+    bool drawn = true;
+    for (int number = 0; number < 8; ++number)
+        drawn = change(number) && quietChange(number) && drawn;
+    recordedCalls().clear();
+    for (int number = 8; number < 108; ++number)
+        drawn = change(number) && drawn;
+    EXPECT_EQ(countCalls("TexSubImage2D") + countCalls("TexImage2D"), 0u);
+    EXPECT_EQ(countCalls("DrawElements"), 75u) << "three of four have glyphs: one draw each";
+    const std::size_t before = heapCount().calls;
+    for (int number = 8; number < 1008; ++number)
+        drawn = quietChange(number) && drawn;
+    const std::size_t after = heapCount().calls;
+    EXPECT_TRUE(drawn);
+    EXPECT_EQ(after - before, 0u);
+}
+
 /// Steps until all is there; the programs that were made.
 unsigned finish(Renderer& renderer) {
     unsigned programs = 0;
@@ -257,6 +295,32 @@ TEST(ChangingScene, MemoryIsFlatOverTenThousandRounds) {
     };
     const std::size_t before = heapAfter(500);
     EXPECT_LE(heapAfter(10'000), before + 16 * 1024) << "less than two bytes a round";
+}
+
+// Fonts, sizes and texts come and go; one text stays, whose glyphs move to make room.
+TEST(ChangingScene, MemoryOfTextsIsFlatOverTenThousandRounds) {
+    Renderer renderer(nullGl());
+    OverlayText texts(renderer, {.maxBytes = std::size_t{2} << 20});
+    const std::vector<std::uint8_t> file = soundFont().bytes();
+    ASSERT_TRUE(texts.add({.font = *parseFont(file), .utf8 = "AVBo"}));
+    const auto heapAfter = [&](int rounds) {
+        std::optional<Font> font;
+        for (int round = 0; round < rounds; ++round) {
+            if (round % 50 == 0)
+                font = *parseFont(file);
+            const TextStyle style{.pixels = 10 + static_cast<float>(round % 190) / 5};
+            const Result<TextId> text = texts.add({.font = *font, .utf8 = "A VoB \xC3\xA9", .style = style});
+            EXPECT_TRUE(text) << toString(text.error());
+            if (round % 500 == 0)
+                loseContext(renderer);
+            EXPECT_TRUE(texts.draw(kTarget));
+            texts.remove(*text);
+        }
+        EXPECT_LE(renderer.memory().used(), std::size_t{2} << 20);
+        return heapCount().bytes;
+    };
+    const std::size_t before = heapAfter(1000);
+    EXPECT_LE(heapAfter(10'000), before + 16 * 1024);
 }
 
 } // namespace

@@ -120,11 +120,12 @@ void GlyphAtlas::forget(unsigned font) {
 
 Image GlyphAtlas::imageOf(const Coverage& coverage, const Rect& part) {
     Image image{"text", part.right - part.left, part.bottom - part.top, {}};
-    image.rgba.reserve(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height));
+    image.rgba.assign(4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+                      255);
+    std::uint8_t* alpha = image.rgba.data() + 3;
     for (int y = part.top; y < part.bottom; ++y)
-        for (int x = part.left; x < part.right; ++x)
-            image.rgba.insert(image.rgba.end(),
-                              {255, 255, 255, coverage[static_cast<std::size_t>(y * kPageSize + x)]});
+        for (int x = part.left; x < part.right; ++x, alpha += 4)
+            *alpha = coverage[static_cast<std::size_t>(y * kPageSize + x)];
     return image;
 }
 

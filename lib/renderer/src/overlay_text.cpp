@@ -96,25 +96,27 @@ struct [[gnu::visibility("hidden")]] OverlayText::State {
         fonts.erase(found);
     }
 
-    void tell(const Block& block, char32_t code, const std::string& what) {
-        if (!log || told.size() >= kMaxTold || !told.emplace(block.font, code).second)
+    /// Allocates nothing where it was told before.
+    void tell(const Block& block, char32_t code, const Error* error) {
+        if (!log || told.size() >= kMaxTold || !told.insert({block.font, code}).second)
             return;
         char name[16];
         std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(code));
-        log(LogLevel::Warning, std::string("text: the character ") + name + " " + what);
+        log(LogLevel::Warning, std::string("text: a box is drawn for ") + name + ": " +
+                                   (error == nullptr ? "the font does not have it" : toString(*error)));
     }
 
     /// One of the font's glyphs; where it is broken, what stands for a missing one.
     Result<GlyphAtlas::Entry> use(const Block& block, const PlacedGlyph& placed, float pixels) {
         if (placed.glyph == 0)
-            tell(block, placed.code, "is missing in the font, a box is drawn");
+            tell(block, placed.code, nullptr);
         const auto useGlyph = [&](std::uint16_t glyph) {
             return atlas.use({block.font, glyph, pixels}, block.text.font);
         };
         Result<GlyphAtlas::Entry> entry = useGlyph(placed.glyph);
         if (entry || entry.error().code != "font.glyph")
             return entry;
-        tell(block, placed.code, "is drawn as a box: " + toString(entry.error()));
+        tell(block, placed.code, &entry.error());
         return useGlyph(0);
     }
 
