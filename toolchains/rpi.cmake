@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+# What the toolchain files of both architectures share. Options:
+#   -DRPI_MODEL=pi4       pi1 (armhf only), pi2 (armhf only), pi3, pi4, pi5 (arm64 only), or any: all that the system runs on
+#   -DRPI_SYSROOT=DIR     the default is sysroot.sh's of Debian 12; or one copied from a Pi (README.md says how)
+#   -DRPI_COMPILER=gcc    clang, with lld, which need nothing but the sysroot; or Debian's cross gcc
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES RPI_MODEL RPI_SYSROOT RPI_COMPILER)
+set(RPI_MODEL any CACHE STRING "Raspberry Pi to build for")
+set(RPI_COMPILER clang CACHE STRING "clang or gcc")
+if(NOT RPI_SYSROOT)
+    execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/sysroot.sh --where ${RPI_ARCHITECTURE}
+        OUTPUT_VARIABLE where OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    set(RPI_SYSROOT ${where} CACHE PATH "System of the Pi to build against")
+endif()
+if(NOT EXISTS ${RPI_SYSROOT}/usr/include/EGL/egl.h)
+    message(FATAL_ERROR "${RPI_SYSROOT} is no sysroot with EGL: toolchains/sysroot.sh ${RPI_ARCHITECTURE} makes one")
+endif()
+if(NOT DEFINED RPI_FLAGS_${RPI_MODEL})
+    message(FATAL_ERROR "RPI_MODEL=${RPI_MODEL} is no Raspberry Pi that runs ${RPI_ARCHITECTURE}")
+endif()
+
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR ${RPI_PROCESSOR})
+set(CMAKE_SYSROOT ${RPI_SYSROOT})
+set(CMAKE_LIBRARY_ARCHITECTURE ${RPI_TRIPLET})
+set(CMAKE_CXX_FLAGS_INIT "${RPI_FLAGS_${RPI_MODEL}}")
+if(RPI_COMPILER STREQUAL gcc)
+    set(CMAKE_CXX_COMPILER ${RPI_TRIPLET}-g++)
+    set(CMAKE_EXE_LINKER_FLAGS_INIT -Wl,-rpath-link,${RPI_SYSROOT}/usr/lib/${RPI_TRIPLET})
+else()
+    set(CMAKE_CXX_COMPILER clang++)
+    set(CMAKE_CXX_COMPILER_TARGET ${RPI_TRIPLET})
+    foreach(kind EXE SHARED MODULE)
+        set(CMAKE_${kind}_LINKER_FLAGS_INIT -fuse-ld=lld)
+    endforeach()
+endif()
+
+set(CMAKE_FIND_ROOT_PATH ${RPI_SYSROOT})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+foreach(kind LIBRARY INCLUDE PACKAGE)
+    set(CMAKE_FIND_ROOT_PATH_MODE_${kind} ONLY)
+endforeach()
+set(ENV{PKG_CONFIG_PATH} "")
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${RPI_SYSROOT})
+set(ENV{PKG_CONFIG_LIBDIR} ${RPI_SYSROOT}/usr/lib/${RPI_TRIPLET}/pkgconfig:${RPI_SYSROOT}/usr/share/pkgconfig)
+
+# -L: the loader, the libraries and Mesa's drivers of the sysroot.
+find_program(RPI_EMULATOR ${RPI_QEMU})
+if(RPI_EMULATOR)
+    set(CMAKE_CROSSCOMPILING_EMULATOR ${RPI_EMULATOR} -L ${RPI_SYSROOT})
+endif()
