@@ -2,6 +2,7 @@
 #include "common/exit_code.h"
 #include "common/progress_bar.h"
 #include "franken/baked_sky.h"
+#include "franken/command_line/manual.h"
 #include "franken/command_line/mistake.h"
 #include "franken/file_writer.h"
 #include "franken/printable.h"
@@ -67,10 +68,13 @@ int main(int argc, char** argv) {
     app.add_flag("--sun", options.bake.sun, "Takes the sun out and stores it as a directional light");
     app.add_option("--skybox-size", options.bake.skyboxSize,
                    "Edge of the skybox's faces, texels; 0 for no skybox [512]")
+        ->type_name("TEXELS")
         ->check(cli::wholeNumber(0, kMaxSkyWidth / 4));
     app.add_option("--reflection-size", options.bake.reflectionSize,
                    "Edge of the squares of the sharpest reflection, texels; a Pi 3 takes up to 512 [256]")
+        ->type_name("TEXELS")
         ->check(cli::wholeNumber(kMinReflectionSize, kMaxReflectionSize));
+    cli::addManual(app, "frankenshader-bake");
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/command_line.h"
 
+#include "franken/command_line/manual.h"
 #include "kiosk/config/setting.h"
 
 #include <CLI/CLI.hpp>
@@ -105,6 +106,7 @@ Command parseCommandLine(int count, const char* const* arguments) {
         ->type_name("FILE");
     doctor->add_option("--root", parsed.examine.root, "Where /sys, /proc and /dev are: for tests")
         ->type_name("FOLDER");
+    franken::cli::addManual(app, "frankenshader-kiosk");
     try {
         app.parse(count, arguments);
     } catch (const CLI::ParseError& error) {

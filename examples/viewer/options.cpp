@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "options.h"
 
+#include "franken/command_line/manual.h"
 #include "franken/command_line/mistake.h"
 #include "franken/file_writer.h"
 #include "franken/generator/choices.h"
@@ -358,6 +359,7 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     addPrograms(app, options);
     addLoading(app, options);
     addLook(app, options.look);
+    cli::addManual(app, "frankenshader-viewer");
     try {
         app.parse(argc, argv);
         checkTogether(options);

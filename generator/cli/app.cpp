@@ -184,7 +184,7 @@ void addCost(CLI::App& app, CostOptions& options) {
     cost.footer("Example: frankenshader cost basecolor.normal+ambient+sun1 --gpu vc4");
 }
 
-void addMeta(CLI::App& app, std::string& helpTopic, std::string& shell) {
+void addMeta(CLI::App& app, std::string& helpTopic, std::string& shell, std::string& page) {
     auto& help = *app.add_subcommand("help", "Shows the help of a command");
     help.add_option("COMMAND", helpTopic, "One of the commands; without it, the help of all");
     help.footer("Example: frankenshader help dump");
@@ -195,6 +195,10 @@ void addMeta(CLI::App& app, std::string& helpTopic, std::string& shell) {
         ->check(oneOf(kShells));
     completions.footer("Example: frankenshader completions bash >~/.local/share/bash-completion/completions/"
                        "frankenshader");
+    auto& manual =
+        *app.add_subcommand("manual", "Fills synopsis and options into a manual page, for the build");
+    manual.group(""); // Not for those who use the program.
+    manual.add_option("PAGE", page, "A file in roff with lines @SYNOPSIS@ and @OPTIONS@")->required();
 }
 
 } // namespace
@@ -213,7 +217,7 @@ App::App() : app(kAbout, "frankenshader") {
         addWords(*command, "--effects", effects, "PATH",
                  "An effect of an application's, or a folder of them (*.glsl); named by their files, as in "
                  "sun1+fog; may be repeated");
-    addMeta(app, helpTopic, shell);
+    addMeta(app, helpTopic, shell, page);
 }
 
 } // namespace franken::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/command_line/manual.h"
 #include "options.h"
 
 #include <CLI/CLI.hpp>
@@ -24,10 +25,8 @@ struct App {
     std::vector<std::string> effects; ///< Files and folders, for any of them.
     std::string helpTopic;            ///< Of `help`; empty for all.
     std::string shell;                ///< Of `completions`.
+    std::string page;                 ///< Of `manual`: a file.
 };
-
-/// The shells that `completions` knows.
-inline const std::vector<std::string> kShells = {"bash", "zsh", "fish"};
 
 /// A script for that shell.
 std::string completionsFor(const CLI::App& app, std::string_view shell);

@@ -2,6 +2,7 @@
 #include "app.h"
 #include "effects.h"
 #include "franken/command_line/mistake.h"
+#include "franken/file.h"
 
 #include <algorithm>
 
@@ -44,7 +45,15 @@ ExitCode showHelp(const App& parsed) {
     return ExitCode::Ok;
 }
 
-Command commandFrom(App& parsed) {
+ExitCode showManual(const App& parsed, Console& console) {
+    constexpr std::size_t kLargestPage = std::size_t{1} << 20;
+    const Result<std::vector<std::uint8_t>> page = readFile(parsed.page, kLargestPage);
+    if (!page)
+        return console.error(page.error()), ExitCode::Device;
+    return std::cout << filledManPage(parsed.app, {page->begin(), page->end()}), ExitCode::Ok;
+}
+
+Command commandFrom(App& parsed, Console& console) {
     const CLI::App& app = parsed.app;
     if (app.got_subcommand("list"))
         return parsed.list;
@@ -65,6 +74,8 @@ Command commandFrom(App& parsed) {
         return showHelp(parsed);
     if (app.got_subcommand("completions"))
         return std::cout << completionsFor(app, parsed.shell), ExitCode::Ok;
+    if (app.got_subcommand("manual"))
+        return showManual(parsed, console);
     throw CLI::RequiredError("A command (" + CLI::detail::join(commandsOf(app), ", ") + ")");
 }
 
@@ -78,7 +89,7 @@ Command parseCommandLine(int argc, const char* const* argv, Console& console) {
         parsed.app.parse(argc, argv);
         if (const Result<void> added = addEffects(parsed.effects); !added)
             return console.error(added.error()), ExitCode::Refused;
-        return commandFrom(parsed);
+        return commandFrom(parsed, console);
     } catch (const CLI::Success& success) {
         parsed.app.exit(success); // Help, or the version.
         return ExitCode::Ok;

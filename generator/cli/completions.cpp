@@ -16,7 +16,7 @@ struct CommandWords {
 
 std::vector<CommandWords> wordsOf(const CLI::App& app) {
     std::vector<CommandWords> all;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    for (const CLI::App* command : shownCommands(app)) {
         CommandWords words{command->get_name(), command->get_description(), {}, {}};
         for (const CLI::Option* option : command->get_options())
             for (const std::string& name : option->get_lnames()) {
@@ -79,14 +79,6 @@ std::string bash(const std::vector<CommandWords>& commands) {
               "}\n"
               "complete -o nospace -F _frankenshader frankenshader\n";
     return script.str();
-}
-
-// In single quotes, those inside being doubled ones; a colon separates zsh's descriptions.
-std::string quoted(std::string_view text, bool colons) {
-    std::string result = "'";
-    for (const char c : text)
-        result += c == '\'' ? "\"" : c == ':' && colons ? "\\:" : std::string(1, c);
-    return result + "'";
 }
 
 std::string zsh(const std::vector<CommandWords>& commands) {

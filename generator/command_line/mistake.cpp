@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/command_line/mistake.h"
 
+#include "franken/command_line/manual.h"
 #include "franken/nearest.h"
 
 #include <algorithm>
@@ -77,7 +78,7 @@ Error mistakeIn(const CLI::App& app, const CLI::ParseError& refusal) {
 
 std::vector<std::string> commandsOf(const CLI::App& app) {
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    for (const CLI::App* command : shownCommands(app))
         names.push_back(command->get_name());
     return names;
 }
