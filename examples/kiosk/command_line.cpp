@@ -68,6 +68,8 @@ void addRun(CLI::App& app, Parsed& parsed) {
         ->type_name("WxH");
     app.add_option("--time", parsed.frame.seconds, "What the picture shows: seconds after the model came [0]")
         ->check(CLI::Range(0.0, 86400.0));
+    app.add_option("--root", parsed.run.root, "Where /sys, /proc and /run are: for tests")
+        ->type_name("FOLDER");
     addSettings(app, parsed.run.overrides);
 }
 

@@ -98,7 +98,12 @@ struct EventLoop::State {
 EventLoop::EventLoop(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 EventLoop::~EventLoop() = default;
 
-Result<std::unique_ptr<EventLoop>> EventLoop::make() {
+Result<std::unique_ptr<EventLoop>> EventLoop::make(std::initializer_list<int> signals) {
+    sigset_t blocked;
+    sigemptyset(&blocked);
+    for (const int number : signals)
+        sigaddset(&blocked, number);
+    pthread_sigmask(SIG_BLOCK, &blocked, nullptr);
     auto state = std::make_unique<State>();
     if (const int code = sd_event_new(&state->event); code < 0)
         return failure("sd_event_new", code);
@@ -113,10 +118,6 @@ std::unique_ptr<EventLoop::Source> EventLoop::onReadable(int descriptor, Handler
 }
 
 std::unique_ptr<EventLoop::Source> EventLoop::onSignal(int number, Handler handler) {
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, number);
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     auto source = std::make_unique<HandledSource>(std::move(handler));
     if (sd_event_add_signal(m_state->event, &source->source, number, onSignalEvent, source.get()) < 0)
         return nullptr;

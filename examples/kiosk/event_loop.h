@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 
 namespace kiosk {
@@ -18,7 +19,8 @@ class EventLoop {
 public:
     using Handler = std::function<void()>;
 
-    static franken::Result<std::unique_ptr<EventLoop>> make();
+    /// Blocks the signals that onSignal() will take, in this thread and in all that it starts: before those.
+    static franken::Result<std::unique_ptr<EventLoop>> make(std::initializer_list<int> signals = {});
     ~EventLoop();
 
     /// A source that ends with it.
@@ -28,7 +30,7 @@ public:
     };
     /// `handler` runs whenever the descriptor is readable. Null where the loop cannot watch it.
     std::unique_ptr<Source> onReadable(int descriptor, Handler handler);
-    /// The signal is taken from the process: only the handler sees it.
+    /// One of the signals that make() was given.
     std::unique_ptr<Source> onSignal(int number, Handler handler);
     /// `handler` runs whenever the system's clock was set, forwards or back.
     std::unique_ptr<Source> onClockSet(Handler handler);

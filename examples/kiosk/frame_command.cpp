@@ -73,7 +73,7 @@ Result<void> drawFrame(const DrawFrame& command, const Config& config, const fra
     if (Result<void> uploaded = upload(stage, *std::move(model)); !uploaded)
         return uploaded;
     stage.shown()->view.advance(command.seconds);
-    if (Result<void> drawn = stage.draw(0); !drawn)
+    if (Result<void> drawn = stage.draw(0, false); !drawn)
         return drawn;
     const Result<franken::Image> picture = stage.renderer().readPixels(stage.target());
     return picture ? franken::writePng(command.output, *picture) : picture.error();

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/kiosk.h"
 
+#include "franken/crc32.h"
+#include "franken/platform/heartbeat.h"
 #include "kiosk/screen.h"
 
 #include <csignal>
+#include <ctime>
 
 namespace kiosk {
 
@@ -14,6 +17,11 @@ using platform::SurfaceState;
 
 namespace {
 
+constexpr Time kHeartbeat = std::chrono::seconds(10);
+constexpr Time kTick = std::chrono::seconds(1); // How often the GPU and the clock are looked at.
+// A restart that is due for a minute must not be done over and over within it.
+constexpr Time kLeastUptime = std::chrono::minutes(5);
+
 Time seconds(double count) { return std::chrono::duration_cast<Time>(std::chrono::duration<double>(count)); }
 
 /// Where that fails, each write says so.
@@ -23,12 +31,24 @@ void makeFolder(const std::string& folder) {
         std::filesystem::create_directories(folder, ignored);
 }
 
-std::filesystem::path manifestOf(const Config& config) {
-    return config.files.state.empty() ? std::filesystem::path()
-                                      : std::filesystem::path(config.files.state) / "programs.manifest";
+std::tm localTime() {
+    const std::time_t time = std::time(nullptr);
+    std::tm local{};
+    tzset(); // The time zone may have been changed.
+    localtime_r(&time, &local);
+    return local;
 }
 
 } // namespace
+
+ReadConfig configOf(const RunOptions& options) {
+    ReadConfig read = readConfig(options.config, options.overrides);
+    if (!options.models.empty())
+        read.config.content.playlist.clear();
+    for (const std::string& model : options.models)
+        read.config.content.playlist.push_back(std::filesystem::absolute(model).string());
+    return read;
+}
 
 Kiosk::Kiosk(RunOptions options, Config config, franken::Log log, std::unique_ptr<EventLoop> loop,
              std::unique_ptr<platform::Surface> surface)
@@ -37,20 +57,28 @@ Kiosk::Kiosk(RunOptions options, Config config, franken::Log log, std::unique_pt
       m_log(std::move(log)),
       m_loop(std::move(loop)),
       m_surface(std::move(surface)),
-      m_lastFrame(now()) {
-    m_content = std::make_unique<Content>(*m_loop, m_log, [this] { contentArrived(); });
-    m_frameTimer = m_loop->timer([] {}); // The turn of the loop is all that it is for.
-    m_aliveTimer = m_loop->timer([] {});
-    m_sources.push_back(m_loop->onReadable(m_surface->descriptor(), [this] { surfaceReadable(); }));
-    for (const int number : {SIGTERM, SIGINT})
-        m_sources.push_back(m_loop->onSignal(number, [this] { m_ends = true; }));
-    m_transition.configure(seconds(m_config.content.fadeSeconds),
-                           std::chrono::seconds(m_config.content.seconds));
-    m_content->configure(m_config);
+      m_screenshots(m_config.files.state, m_log),
+      m_started(now()) {
+    m_opening.configure(m_config);
+    m_opening.presence.seen(m_started);
+    m_show = std::make_unique<Show>(*m_loop, m_config, m_log, [this] { m_isStale = true; });
+    m_monitor = std::make_unique<Monitor>(
+        *m_loop, m_config, Machine(m_options.root),
+        Monitor::Handlers{.relieved = [this](const Relief& relief) { m_show->relieve(relief); },
+                          .report =
+                              [this](Statistics& statistics) {
+                                  statistics.frames = m_frameTimes;
+                                  statistics.state = m_state;
+                                  m_show->report(statistics);
+                              }},
+        m_log);
+    listen();
+    openConsole();
+    m_controls = std::make_unique<Controls>(*m_loop, m_config, m_surface->rotation(), handlers(), m_log);
 }
 
 Result<std::unique_ptr<Kiosk>> Kiosk::open(RunOptions options, Config config, franken::Log log) {
-    Result<std::unique_ptr<EventLoop>> loop = EventLoop::make();
+    Result<std::unique_ptr<EventLoop>> loop = EventLoop::make({SIGTERM, SIGINT, SIGHUP, SIGUSR1});
     if (!loop)
         return loop.error();
     makeFolder(config.files.state);
@@ -62,82 +90,126 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(RunOptions options, Config config, fr
                                             *std::move(loop), *std::move(surface)));
 }
 
-Result<void> Kiosk::makeStage() {
-    const Result<franken::Gl> gl = franken::Gl::load(m_surface->getProcAddress());
-    if (!gl)
-        return gl.error();
-    m_stage = std::make_unique<Stage>(*gl, m_surface->driver(), manifestOf(m_config), m_config, m_log);
-    m_stage->setTarget(targetOf(*m_surface), m_surface->srgbTarget());
-    m_stage->configure(m_config);
-    contentArrived();
-    return {};
+void Kiosk::listen() {
+    const auto nothing = [] {}; // The turn of the loop is all that these are for.
+    m_frameTimer = m_loop->timer(nothing);
+    m_clockTimer = m_loop->timer(nothing);
+    m_aliveTimer = m_loop->timer(nothing);
+    m_sources.push_back(m_loop->onClockSet(nothing));
+    m_sources.push_back(m_loop->onReadable(m_surface->descriptor(), [this] { surfaceReadable(); }));
+    for (const int number : {SIGTERM, SIGINT})
+        m_sources.push_back(m_loop->onSignal(number, [this] { m_ends = true; }));
+    m_sources.push_back(m_loop->onSignal(SIGHUP, [this] { reload(); }));
+    m_sources.push_back(m_loop->onSignal(SIGUSR1, [this] { act(Action::Screenshot); }));
+    if (m_options.config.empty())
+        return;
+    m_fileWatch = std::make_unique<FileWatch>(m_options.config);
+    m_sources.push_back(m_loop->onReadable(m_fileWatch->descriptor(), [this] {
+        if (m_fileWatch->dispatch())
+            reload();
+    }));
+}
+
+Controls::Handlers Kiosk::handlers() {
+    return {.act = [this](Action action) { act(action); },
+            .drag = [this](double x, double y) { m_show->drag(x, y); },
+            .zoom = [this](double factor) { m_show->zoom(factor); },
+            .touched = [this] { m_opening.presence.seen(now()); },
+            .motion = [this](bool motion) { m_opening.presence.setMotion(motion, now()); }};
+}
+
+void Kiosk::openConsole() {
+    if (m_surface->backend() != platform::Backend::Kms)
+        return;
+    Result<std::unique_ptr<platform::Console>> console = platform::Console::open();
+    if (!console)
+        return m_log(LogLevel::Info, "keys may reach a console: " + franken::toString(console.error()));
+    m_console = *std::move(console);
+    m_sources.push_back(m_loop->onReadable(m_console->descriptor(), [this] { consoleReadable(); }));
+}
+
+void Kiosk::consoleReadable() {
+    switch (m_console->dispatch()) {
+    case platform::Console::Event::Leaving:
+        return m_surface->pause();
+    case platform::Console::Event::Returned:
+        return m_surface->resume();
+    case platform::Console::Event::None:
+        break;
+    }
 }
 
 void Kiosk::surfaceReadable() {
     const platform::SurfaceEvents events = m_surface->dispatch();
-    if (events.contextReplaced && m_stage) {
-        m_stage->renderer().contextLost();
-        m_stage.reset();
-        m_transition.clear();
+    if (events.completed) {
+        m_watch.completed();
+        m_frameTimes.add(m_frameWork, events.completed->missed);
     }
-    if (events.layoutChanged && m_stage)
-        m_stage->setTarget(targetOf(*m_surface), m_surface->srgbTarget());
+    if (events.contextReplaced) {
+        m_show->contextLost();
+        m_health.reset();
+    }
+    if (events.layoutChanged) {
+        m_show->layoutChanged(*m_surface);
+        m_controls->setScreenRotation(m_surface->rotation());
+    }
+    if (events.stateChanged && m_console && m_surface->state() == SurfaceState::Paused)
+        if (const Result<void> left = m_console->left(); !left)
+            m_log(LogLevel::Warning, franken::toString(left.error()));
     m_isStale = m_isStale || events.stateChanged || events.layoutChanged || events.contextReplaced;
     m_ends = m_ends || events.closeRequested;
 }
 
-void Kiosk::contentArrived() {
-    if (!m_stage)
-        return;
-    if (std::optional<LoadedModel> model = m_content->take()) {
-        const std::filesystem::path path = model->path;
-        if (const Result<void> prepared = m_stage->prepare(*std::move(model)); !prepared)
-            m_content->refuse(path, prepared.error());
-    }
-    const Playlist& playlist = m_content->playlist();
-    if (m_stage->next() != nullptr && !playlist.contains(m_stage->next()->path))
-        m_stage->dropNext();
-    const Exhibit* shown = m_stage->shown();
-    if (shown != nullptr && !playlist.contains(shown->path))
-        m_transition.next();
-    if (!m_stage->hasNext() && !m_content->isReading())
-        m_content->want(shown != nullptr ? std::optional(shown->path) : std::nullopt);
+void Kiosk::reload() {
+    const ReadConfig read = configOf(m_options);
+    for (const franken::Error& fault : read.faults)
+        m_log(LogLevel::Error, franken::toString(fault));
+    if (!read.faults.empty())
+        return m_log(LogLevel::Error, "the configuration stays as it was");
+    for (const std::string& key : needRestart(m_config, read.config))
+        m_log(LogLevel::Warning, key + " takes effect after a restart");
+    m_config = read.config;
+    m_opening.configure(m_config);
+    m_show->configure(m_config);
+    m_controls->configure(m_config);
+    m_monitor->configure(m_config);
+    m_isStale = true;
+    m_log(LogLevel::Info, "the configuration was read again");
+}
+
+void Kiosk::act(Action action) {
+    m_log(LogLevel::Info, "asked for: " + std::string(kActions[static_cast<std::size_t>(action)]));
+    m_wantsScreenshot = m_wantsScreenshot || action == Action::Screenshot;
+    m_show->act(action);
     m_isStale = true;
 }
 
-void Kiosk::changeModels() {
-    const Exhibit* shown = m_stage->shown();
-    const Result<bool> ready = m_stage->nextIsReady();
-    if (!ready) {
-        const std::filesystem::path path = m_stage->next()->path;
-        m_stage->dropNext();
-        m_content->refuse(path, ready.error());
+void Kiosk::followClock() {
+    const std::tm local = localTime();
+    const bool isSynchronised = isClockSynchronised(m_options.root);
+    std::string dark = m_opening.darkBecause(now(), local, isSynchronised);
+    if (dark.empty() != m_dark.empty()) {
+        const platform::Blanking darkness =
+            m_config.screen.blanking == "black" ? platform::Blanking::Black : platform::Blanking::Off;
+        const Result<void> blanked = m_surface->blank(dark.empty() ? platform::Blanking::None : darkness);
+        if (!blanked)
+            m_log(LogLevel::Warning, franken::toString(blanked.error()));
+        m_log(LogLevel::Info, dark.empty() ? "the screen wakes" : "the screen is dark: " + dark);
+        m_isStale = true;
     }
-    const bool isAlone = shown != nullptr && m_stage->hasNext() && m_stage->next()->path == shown->path;
-    if (!m_transition.advance(now(), ready && *ready, isAlone))
-        return;
-    if (const Result<void> changed = m_stage->change(); !changed)
-        m_log(LogLevel::Error, franken::toString(changed.error()));
-    m_log(LogLevel::Info, "shows " + m_stage->shown()->path.string());
-    m_stage->keepManifest();
-    m_content->want(m_stage->shown()->path);
-}
-
-bool Kiosk::wantsFrame() const {
-    if (!m_stage || m_isStale || m_stage->hasWork())
-        return true;
-    const Time end = m_transition.end();
-    const bool isFading = m_transition.phase() != Transition::Phase::Showing &&
-                          m_transition.phase() != Transition::Phase::Empty;
-    return isFading || (m_stage->shown() != nullptr && m_stage->shown()->view.moves()) ||
-           (m_stage->hasNext() && m_transition.phase() == Transition::Phase::Empty) ||
-           (end.count() != 0 && now() >= end && m_stage->hasNext());
+    m_dark = std::move(dark);
+    m_clockTimer->arm(m_opening.nextLook(now(), local));
+    if (m_opening.isRestartDue(local, isSynchronised) && now() - m_started > kLeastUptime) {
+        m_log(LogLevel::Info, "ends for the daily restart");
+        m_ends = true;
+    }
 }
 
 Result<void> Kiosk::frameIfDue() {
-    if (!wantsFrame()) {
-        if (const Time end = m_transition.end(); end > now())
-            m_frameTimer->arm(end);
+    const bool isDue = m_isStale || m_wantsScreenshot || m_show->moves(now());
+    if (!m_dark.empty() || !isDue) {
+        if (const Time next = m_show->nextMove(); next > now())
+            m_frameTimer->arm(next);
         return {};
     }
     if (now() < m_nextFrame) {
@@ -151,52 +223,108 @@ Result<void> Kiosk::frameIfDue() {
 }
 
 Result<void> Kiosk::frame() {
-    if (!m_stage)
-        if (Result<void> made = makeStage(); !made)
-            return made;
-    const Time time = now();
-    // Half a refresh early: a frame that is begun late is shown by the same refresh.
-    m_nextFrame = time + seconds(1 / m_config.screen.maxFrameRate) - std::chrono::milliseconds(2);
-    const double passed = std::chrono::duration<double>(time - m_lastFrame).count();
-    m_lastFrame = time;
+    if (!m_show->isOpen()) {
+        if (Result<void> opened = m_show->open(*m_surface); !opened)
+            return opened;
+        m_health = std::make_unique<platform::GpuHealth>(m_surface->getProcAddress());
+    }
+    const Time begun = now();
+    // A little early: a frame that is begun late is shown by the same refresh.
+    const double rate = m_config.screen.maxFrameRate * m_monitor->relief().frameRate();
+    m_nextFrame = begun + seconds(1 / rate) - std::chrono::milliseconds(2);
     m_isStale = false;
-    if (const Result<void> worked = m_stage->work(); !worked)
-        m_log(LogLevel::Warning, franken::toString(worked.error()));
-    changeModels();
-    if (m_stage->shown() != nullptr)
-        m_stage->shown()->view.advance(passed);
-    if (Result<void> drawn = m_stage->draw(m_transition.cover(time)); !drawn)
-        m_log(LogLevel::Error, franken::toString(drawn.error()));
+    m_show->draw(begun);
+    if (m_wantsScreenshot)
+        takeScreenshot();
+    checkGpu();
+    writeHeartbeat();
+    m_frameWork = now() - begun;
+    m_watch.submitted(begun);
     return m_surface->submit();
 }
 
+void Kiosk::takeScreenshot() {
+    m_wantsScreenshot = false;
+    Result<franken::Image> picture = m_show->stage()->renderer().readPixels(m_show->stage()->target());
+    if (picture)
+        m_screenshots.write(*std::move(picture));
+    else
+        m_log(LogLevel::Error, "no screenshot: " + franken::toString(picture.error()));
+}
+
+void Kiosk::writeHeartbeat() {
+    if (m_config.files.heartbeat.empty() || now() < m_nextHeartbeat)
+        return;
+    m_nextHeartbeat = now() + kHeartbeat;
+    const Result<franken::Image> picture = m_show->stage()->renderer().readPixels(m_show->stage()->target());
+    if (!picture)
+        return m_log(LogLevel::Error, "no heartbeat: " + franken::toString(picture.error()));
+    const std::uint32_t checksum = platform::crc32(picture->rgba.data(), picture->rgba.size());
+    if (const auto written =
+            platform::writeHeartbeat(m_config.files.heartbeat, m_frameTimes.frames(), checksum);
+        !written)
+        m_log(LogLevel::Error, franken::toString(written.error()));
+}
+
+void Kiosk::checkGpu() {
+    if (m_watch.canaryDue(now())) {
+        m_watch.canary(m_health->canaryLives());
+        m_show->stage()->renderer().invalidateState();
+    }
+    if (m_watch.errorDue(now()))
+        m_watch.error(m_health->takeError());
+}
+
+Result<void> Kiosk::obeyWatch() {
+    if (m_surface->state() != SurfaceState::Ready && m_surface->state() != SurfaceState::Busy)
+        m_watch.idle();
+    switch (m_watch.step(now())) {
+    case platform::Watch::Step::ResetScreen:
+        m_log(LogLevel::Error, m_watch.reason() + ": the screen is reset");
+        m_surface->resetScreen();
+        break;
+    case platform::Watch::Step::Exit:
+        return franken::Error{
+            "kiosk.gpu", m_surface->status(), m_watch.reason(),
+            "the service manager starts the program again, and reboots if that does not help"};
+    case platform::Watch::Step::None:
+        break;
+    }
+    return {};
+}
+
+std::string Kiosk::stateName() const {
+    const bool draws = m_surface->state() == SurfaceState::Ready || m_surface->state() == SurfaceState::Busy;
+    return draws ? "drawing" : std::string(platform::toString(m_surface->state()));
+}
+
 void Kiosk::reportState() {
-    const std::string state(m_surface->state() == SurfaceState::Ready ||
-                                    m_surface->state() == SurfaceState::Busy
-                                ? "drawing"
-                                : platform::toString(m_surface->state()));
+    const std::string state = stateName();
     if (state != m_state)
         m_log(LogLevel::Info, state + ": " + m_surface->status());
     m_state = state;
     [[maybe_unused]] const bool isTold =
         m_service.ready(state) && m_service.status(m_surface->status()) && m_service.alive();
-    if (const auto interval = m_service.watchdogInterval())
-        m_aliveTimer->arm(now() + *interval / 2);
+    const Time watchdog = m_service.watchdogInterval().value_or(std::chrono::seconds(10));
+    m_aliveTimer->arm(now() + std::min<Time>(kTick, watchdog / 2));
 }
 
 Result<void> Kiosk::run() {
     while (!m_ends) {
         if (m_surface->state() == SurfaceState::Failed)
             return m_surface->failure();
+        followClock();
         if (Result<void> drawn = frameIfDue(); !drawn)
             return drawn;
         reportState();
+        if (Result<void> fine = obeyWatch(); !fine)
+            return fine;
         if (Result<void> turned = m_loop->turn(); !turned)
             return turned;
     }
     [[maybe_unused]] const auto told = m_service.stopping();
-    if (m_stage)
-        m_stage->keepManifest();
+    if (m_show->stage() != nullptr)
+        m_show->stage()->keepManifest();
     return {};
 }
 

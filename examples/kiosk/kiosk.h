@@ -2,16 +2,22 @@
 #pragma once
 
 #include "franken/log.h"
+#include "franken/platform/console.h"
 #include "franken/platform/service.h"
 #include "franken/platform/surface.h"
+#include "franken/platform/watch.h"
+#include "kiosk/config/file_watch.h"
 #include "kiosk/config/read_config.h"
-#include "kiosk/content/content.h"
+#include "kiosk/control/controls.h"
+#include "kiosk/decide/opening.h"
 #include "kiosk/event_loop.h"
-#include "kiosk/show/stage.h"
-#include "kiosk/show/transition.h"
+#include "kiosk/machine/monitor.h"
+#include "kiosk/report/screenshot.h"
+#include "kiosk/show/show.h"
 
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace kiosk {
@@ -21,9 +27,13 @@ struct RunOptions {
     Overrides overrides;
     std::vector<std::string> models; ///< Of the command line, instead of the playlist.
     franken::platform::Backend backend = franken::platform::Backend::Kms;
+    std::filesystem::path root = "/"; ///< Where /sys and /proc are.
 };
 
-/// The program: a screen, a stage, and what both wait for.
+/// The configuration of a file and of options; with what is wrong with them.
+ReadConfig configOf(const RunOptions& options);
+
+/// The program: a screen, a show, and what both wait for.
 class Kiosk {
 public:
     static franken::Result<std::unique_ptr<Kiosk>> open(RunOptions options, Config config, franken::Log log);
@@ -34,30 +44,49 @@ private:
     Kiosk(RunOptions options, Config config, franken::Log log, std::unique_ptr<EventLoop> loop,
           std::unique_ptr<franken::platform::Surface> surface);
 
-    franken::Result<void> makeStage();
+    void listen();
+    Controls::Handlers handlers();
+    void openConsole();
+
     void surfaceReadable();
-    void contentArrived();
+    void consoleReadable();
+    void reload();
+    void act(Action action);
+
+    void followClock();
     franken::Result<void> frameIfDue();
     franken::Result<void> frame();
-    void changeModels();
+    void checkGpu();
+    franken::Result<void> obeyWatch();
+    void takeScreenshot();
+    void writeHeartbeat();
     void reportState();
-    bool wantsFrame() const;
+    std::string stateName() const;
 
     RunOptions m_options;
     Config m_config;
     franken::Log m_log;
     std::unique_ptr<EventLoop> m_loop;
     std::unique_ptr<franken::platform::Surface> m_surface;
+    std::unique_ptr<franken::platform::Console> m_console;
     franken::platform::ServiceManager m_service;
-    std::unique_ptr<Content> m_content;
-    std::unique_ptr<Stage> m_stage;
-    Transition m_transition;
+    franken::platform::Watch m_watch;
+    std::unique_ptr<franken::platform::GpuHealth> m_health;
+    std::unique_ptr<Show> m_show;
+    std::unique_ptr<Controls> m_controls;
+    std::unique_ptr<Monitor> m_monitor;
+    std::unique_ptr<FileWatch> m_fileWatch;
+    Screenshots m_screenshots;
+    Opening m_opening;
+    std::string m_dark; ///< Why the screen is; empty: it is not.
+    FrameTimes m_frameTimes;
+
     std::vector<std::unique_ptr<EventLoop::Source>> m_sources;
-    std::unique_ptr<EventLoop::Timer> m_frameTimer, m_aliveTimer;
-    Time m_lastFrame{0}, m_nextFrame{0};
-    bool m_isStale = true; ///< Something changed that the screen does not show yet.
-    bool m_ends = false;
+    std::unique_ptr<EventLoop::Timer> m_frameTimer, m_clockTimer, m_aliveTimer;
+    Time m_started, m_nextFrame{0}, m_frameWork{0}, m_nextHeartbeat{0};
     std::string m_state;
+    bool m_isStale = true; ///< Something changed that the screen does not show yet.
+    bool m_wantsScreenshot = false, m_ends = false;
 };
 
 } // namespace kiosk

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "franken/file_writer.h"
 #include "franken/printable.h"
 #include "kiosk/command_line.h"
 #include "kiosk/config/example.h"
+#include "kiosk/doctor/examine.h"
 #include "kiosk/frame_command.h"
 #include "kiosk/report/journal.h"
 
@@ -25,21 +27,32 @@ ExitCode exitCodeOf(const franken::Result<void>& ended, const franken::Log& log)
     return ExitCode::Device;
 }
 
-std::optional<Config> configOf(const RunOptions& options) {
-    ReadConfig read = readConfig(options.config, options.overrides);
-    if (!options.models.empty()) {
-        read.config.content.playlist.clear();
-        for (const std::string& model : options.models)
-            read.config.content.playlist.push_back(std::filesystem::absolute(model).string());
-    }
+std::optional<Config> goodConfigOf(const RunOptions& options) {
+    ReadConfig read = configOf(options);
     return report(read.faults) ? std::optional(std::move(read.config)) : std::nullopt;
+}
+
+ExitCode examine(const Examine& command) {
+    const ReadConfig read = readConfig(command.config);
+    const Patient patient{Machine(command.root), read.config, command.root == "/"};
+    Findings findings = examineAll(patient);
+    for (const franken::Error& fault : read.faults)
+        findings.push_back({Finding::Kind::Bad, "configuration", franken::toString(fault),
+                            "kiosk check " + command.config.string()});
+    std::cout << (command.json ? toJson(findings) : toText(findings));
+    if (!command.report.empty())
+        if (const auto written = franken::writeFile(command.report, reportOf(patient, findings)); !written) {
+            report({written.error()});
+            return ExitCode::Device;
+        }
+    return isHealthy(findings) ? ExitCode::Ok : ExitCode::Unhealthy;
 }
 
 struct Execute {
     ExitCode operator()(ExitCode code) const { return code; }
 
     ExitCode operator()(const Run& command) const {
-        const std::optional<Config> config = configOf(command.options);
+        const std::optional<Config> config = goodConfigOf(command.options);
         if (!config)
             return ExitCode::Refused;
         const franken::Log log = journal();
@@ -48,7 +61,7 @@ struct Execute {
     }
 
     ExitCode operator()(const DrawFrame& command) const {
-        const std::optional<Config> config = configOf(command.options);
+        const std::optional<Config> config = goodConfigOf(command.options);
         if (!config)
             return ExitCode::Refused;
         return exitCodeOf(drawFrame(command, *config, journal()), journal());
@@ -66,7 +79,7 @@ struct Execute {
         return ExitCode::Ok;
     }
 
-    ExitCode operator()(const Examine&) const { return ExitCode::Usage; }
+    ExitCode operator()(const Examine& command) const { return examine(command); }
 };
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/content/content.h"
 
+#include <algorithm>
+
 namespace kiosk {
 
 namespace fs = std::filesystem;
@@ -42,7 +44,7 @@ void Content::watchFolder(const std::string& folder) {
 
 void Content::folderChanged() {
     for (const fs::path& file : m_folder->dispatch())
-        m_playlist.changed(file);
+        m_playlist.changed(file), m_replaced.insert(file);
     if (!m_folder->present())
         m_folderTimer->arm(now() + kLookAgain);
     refresh();
@@ -54,6 +56,9 @@ void Content::refresh() {
     if (m_folder)
         for (fs::path& model : m_folder->models())
             models.push_back(std::move(model));
+    std::erase_if(m_replaced, [&models](const fs::path& file) {
+        return std::find(models.begin(), models.end(), file) == models.end();
+    });
     if (models == m_playlist.models())
         return;
     m_log(LogLevel::Info, std::to_string(models.size()) + (models.size() == 1 ? " model" : " models"));
@@ -62,12 +67,21 @@ void Content::refresh() {
         cancel();
 }
 
+std::optional<fs::path> Content::following(const std::optional<fs::path>& shown, int direction) const {
+    if (shown && isReplaced(*shown) && m_playlist.contains(*shown))
+        return shown;
+    const std::optional<fs::path> next = m_playlist.after(shown, direction);
+    return next == shown ? std::nullopt : next;
+}
+
 void Content::want(const std::optional<fs::path>& shown, int direction) {
     m_shown = shown;
     m_direction = direction;
-    m_reading = m_playlist.after(shown, direction);
-    if (m_reading)
-        m_loader.request(*m_reading);
+    m_reading = following(shown, direction);
+    if (!m_reading)
+        return m_loader.cancel();
+    m_replaced.erase(*m_reading);
+    m_loader.request(*m_reading);
 }
 
 void Content::cancel() {

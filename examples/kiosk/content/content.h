@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 
 namespace kiosk {
@@ -23,8 +24,14 @@ public:
 
     void configure(const Config& config);
 
-    /// Begins to read what follows (or comes before) the model that is shown.
+    /// Begins to read what follows (or comes before) the model that is shown; nothing where it is alone, and
+    /// its file is still the same.
     void want(const std::optional<std::filesystem::path>& shown, int direction = 1);
+    /// What want() would read.
+    std::optional<std::filesystem::path> following(const std::optional<std::filesystem::path>& shown,
+                                                   int direction = 1) const;
+    /// Whether the file was replaced since it was read.
+    bool isReplaced(const std::filesystem::path& model) const { return m_replaced.contains(model); }
     /// Whether something is being read, or read and not taken.
     bool isReading() const { return m_reading.has_value(); }
     void cancel();
@@ -51,6 +58,7 @@ private:
     std::unique_ptr<WatchedFolder> m_folder;
     std::unique_ptr<EventLoop::Source> m_loaderSource, m_folderSource;
     std::unique_ptr<EventLoop::Timer> m_folderTimer; ///< Looks for a folder that is not there.
+    std::set<std::filesystem::path> m_replaced;
     std::optional<std::filesystem::path> m_reading, m_shown;
     int m_direction = 1;
 };

@@ -48,7 +48,8 @@ Stage::Stage(const franken::Gl& gl, const std::string& driver, std::filesystem::
       m_driver(driver),
       m_manifest(std::move(manifest)),
       m_config(config),
-      m_renderer(gl, m_log) {
+      m_renderer(gl, m_log),
+      m_canvas(gl, m_renderer) {
     if (const auto sheet = m_renderer.addPicture(kWhite, [] { return kWhite; }))
         m_sheet = *sheet;
     if (!m_manifest.empty() && std::filesystem::exists(m_manifest))
@@ -185,7 +186,7 @@ Result<void> Stage::work() {
     return step ? Result<void>() : step.error();
 }
 
-Result<void> Stage::draw(double cover) {
+Result<void> Stage::drawModel() {
     franken::Viewpoint viewpoint;
     if (m_shown) {
         if (const franken::Pose* pose = m_shown->view.pose())
@@ -193,18 +194,42 @@ Result<void> Stage::draw(double cover) {
                 return posed;
         viewpoint = franken::viewpointOf(m_shown->view.camera(), franken::aspectOf(m_target));
     }
-    Result<void> drawn = m_renderer.draw(viewpoint, m_target);
-    if (!drawn || cover <= 0)
+    if (m_resolution >= 1) {
+        m_canvas.release();
+        return m_renderer.draw(viewpoint, m_target);
+    }
+    const Result<franken::DrawTarget> small = m_canvas.targetFor(m_target, m_resolution);
+    if (!small)
+        return m_renderer.draw(viewpoint, m_target).and_then([&] { return Result<void>(small.error()); });
+    if (Result<void> drawn = m_renderer.draw(viewpoint, *small); !drawn)
         return drawn;
-    const franken::Rotation rotation = m_target.rotation;
-    const bool swaps = franken::swapsAxes(rotation);
+    const franken::OverlayQuad quad = m_canvas.quad(m_target);
+    return m_renderer.drawOverlay({&quad, 1}, m_target);
+}
+
+Result<void> Stage::draw(double cover, bool isLoading) {
+    const Result<void> drawn = drawModel();
+    return drawn ? drawOver(cover, isLoading) : drawn;
+}
+
+Result<void> Stage::drawOver(double cover, bool isLoading) {
+    const franken::OverlayRect area = viewerArea(m_target);
+    const float width = area.width, height = area.height;
     const franken::Float3& back = m_target.background;
-    const franken::OverlayQuad sheet{.picture = m_sheet,
-                                     .place = {0, 0,
-                                               static_cast<float>(swaps ? m_target.height : m_target.width),
-                                               static_cast<float>(swaps ? m_target.width : m_target.height)},
-                                     .color = {back[0], back[1], back[2], static_cast<float>(cover)}};
-    return m_renderer.drawOverlay({&sheet, 1}, m_target);
+    std::vector<franken::OverlayQuad> quads;
+    if (cover > 0)
+        quads.push_back({.picture = m_sheet,
+                         .place = area,
+                         .color = {back[0], back[1], back[2], static_cast<float>(cover)}});
+    if (isLoading) {
+        const franken::OverlayRect bar{0.3f * width, 0.5f * height, 0.4f * width,
+                                       std::max(2.0f, 0.008f * height)};
+        franken::OverlayRect done = bar;
+        done.width *= static_cast<float>(warmedUp());
+        quads.push_back({.picture = m_sheet, .place = bar, .color = {1, 1, 1, 0.15f}});
+        quads.push_back({.picture = m_sheet, .place = done, .color = {1, 1, 1, 0.7f}});
+    }
+    return quads.empty() ? Result<void>() : m_renderer.drawOverlay(quads, m_target);
 }
 
 void Stage::keepManifest() {

@@ -4,6 +4,7 @@
 #include "franken/renderer.h"
 #include "kiosk/config/config.h"
 #include "kiosk/content/loader.h"
+#include "kiosk/show/canvas.h"
 #include "kiosk/show/lighting.h"
 #include "kiosk/show/view.h"
 
@@ -39,6 +40,9 @@ public:
     void setControls(const LightControls& controls);
     void setTarget(const franken::DrawTarget& target, bool srgbTarget);
 
+    /// Of width and height, above 0 to 1: fewer pixels are drawn, and stretched.
+    void setResolution(double share) { m_resolution = share; }
+
     /// Programs that earlier runs needed and that are not there yet, as a share of all.
     double warmedUp() const;
 
@@ -62,8 +66,9 @@ public:
     franken::Result<void> work();
     bool hasWork() const { return m_isLoading || !m_unwarmed.empty(); }
 
-    /// `cover`: 0 shows the model, 1 the background alone.
-    franken::Result<void> draw(double cover);
+    /// `cover`: 0 shows the model, 1 the background alone. `isLoading`: with a bar that fills as programs are
+    /// made.
+    franken::Result<void> draw(double cover, bool isLoading);
 
     /// Adds the programs that were needed to the manifest, if there are new ones.
     void keepManifest();
@@ -73,6 +78,8 @@ public:
 
 private:
     void light();
+    franken::Result<void> drawModel();
+    franken::Result<void> drawOver(double cover, bool isLoading);
     void warm(const std::vector<franken::ProgramUse>& uses);
 
     franken::Log m_log;
@@ -80,6 +87,8 @@ private:
     std::filesystem::path m_manifest;
     Config m_config;
     franken::Renderer m_renderer;
+    Canvas m_canvas;
+    double m_resolution = 1;
     franken::DrawTarget m_target;
     bool m_srgbTarget = false;
     franken::Look m_look;

@@ -12,13 +12,13 @@ double Transition::progress(Time now) const {
     return std::clamp(share, 0.0, 1.0);
 }
 
-bool Transition::advance(Time now, bool isReady, bool isAlone) {
+bool Transition::advance(Time now, bool isReady) {
     const auto enter = [this, now](Phase phase) { m_phase = phase, m_since = now; };
     if (m_phase == Phase::FadingIn && progress(now) >= 1)
         enter(Phase::Showing);
     if (m_phase == Phase::Showing) {
         const bool isOver = m_asked || (m_stay.count() > 0 && now >= m_since + m_stay);
-        if (isOver && isReady && !isAlone)
+        if (isOver && isReady)
             enter(Phase::FadingOut);
     }
     const bool isDark = m_phase == Phase::Empty || (m_phase == Phase::FadingOut && progress(now) >= 1);

@@ -16,10 +16,10 @@ public:
 
     /// Somebody asked for another model: it comes as soon as it is ready.
     void next() { m_asked = true; }
+    bool isAsked() const { return m_asked; }
 
     /// Whether the models change now: the picture is all background. `isReady`: the next one can be drawn.
-    /// `isAlone`: there is no other, so that nothing has to change.
-    bool advance(Time now, bool isReady, bool isAlone);
+    bool advance(Time now, bool isReady);
 
     /// 0: all of the model, 1: all background.
     double cover(Time now) const;

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "kiosk/machine/monitor.h"
+
+#include "franken/file_writer.h"
+
+#include <ctime>
+
+namespace kiosk {
+
+using franken::LogLevel;
+
+namespace {
+
+constexpr Time kLook = std::chrono::seconds(2);
+constexpr Time kMetrics = std::chrono::seconds(15);
+
+std::optional<double> bytesOf(std::optional<double> mebibytes) {
+    return mebibytes ? std::optional(*mebibytes * (1 << 20)) : std::nullopt;
+}
+
+} // namespace
+
+Monitor::Monitor(EventLoop& loop, const Config& config, Machine machine, Handlers handlers, franken::Log log)
+    : m_machine(std::move(machine)),
+      m_handlers(std::move(handlers)),
+      m_log(std::move(log)),
+      m_startSeconds(static_cast<double>(std::time(nullptr))),
+      m_timer(loop.timer([this] { look(); })) {
+    configure(config);
+    m_timer->arm(now());
+}
+
+void Monitor::configure(const Config& config) {
+    m_relief.configure({.hotCelsius = config.relief.hotCelsius,
+                        .lowMebibytes = static_cast<double>(config.relief.lowMebibytes)});
+    m_metrics = config.files.metrics;
+}
+
+void Monitor::look() {
+    if (m_relief.observe(m_machine.strain(), now())) {
+        m_log(LogLevel::Warning, m_relief.reason());
+        m_handlers.relieved(m_relief);
+    }
+    if (now() >= m_nextMetrics) {
+        m_nextMetrics = now() + kMetrics;
+        writeMetrics();
+    }
+    m_timer->arm(now() + kLook);
+}
+
+Statistics Monitor::statistics() const {
+    Statistics statistics;
+    statistics.residentBytes = bytesOf(m_machine.residentMebibytes());
+    statistics.freeContiguousBytes = bytesOf(m_machine.strain().freeMebibytes);
+    statistics.celsius = m_machine.celsius();
+    statistics.throttled = m_machine.throttled();
+    statistics.reliefStep = m_relief.step();
+    statistics.startSeconds = m_startSeconds;
+    m_handlers.report(statistics);
+    return statistics;
+}
+
+void Monitor::writeMetrics() {
+    if (m_metrics.empty())
+        return;
+    // A power cut may lose one of these: syncing each would wear the card out.
+    const franken::Result<void> written =
+        franken::writeFile(m_metrics, toPrometheus(statistics()), franken::FileWriter::Sync::Later);
+    if (!written && !m_isFailing)
+        m_log(LogLevel::Error, "no statistics: " + franken::toString(written.error()));
+    if (written && m_isFailing)
+        m_log(LogLevel::Info, "statistics are written again");
+    m_isFailing = !written;
+}
+
+} // namespace kiosk

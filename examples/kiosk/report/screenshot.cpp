@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#include "kiosk/report/screenshot.h"
+
+#include "franken/png.h"
+
+namespace kiosk {
+
+void Screenshots::write(franken::Image picture) {
+    if (m_thread.joinable())
+        m_thread.join();
+    m_thread = std::jthread([file = m_folder / "screenshot.png", log = m_log, picture = std::move(picture)] {
+        const franken::Result<void> written = franken::writePng(file, picture);
+        if (written)
+            log(franken::LogLevel::Info, "screenshot: " + file.string());
+        else
+            log(franken::LogLevel::Error, "no screenshot: " + franken::toString(written.error()));
+    });
+}
+
+} // namespace kiosk

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "kiosk/decide/frame_times.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace kiosk {
+
+/// What a kiosk says of itself, on the screen and to node_exporter.
+struct Statistics {
+    FrameTimes frames;
+    std::string state; ///< "drawing", "blanked", ...
+    std::uint64_t modelsShown = 0;
+    std::size_t models = 0, modelsBroken = 0;
+    std::uint64_t compiles = 0;
+    std::size_t fallbacks = 0;
+    double gpuBytes = 0, gpuBudgetBytes = 0;
+    std::optional<double> residentBytes, freeContiguousBytes, celsius;
+    std::optional<unsigned> throttled; ///< The firmware's bits.
+    int reliefStep = 0;
+    double startSeconds = 0; ///< Since the epoch.
+};
+
+/// Prometheus' text format, by the conventions of its names: base units, _total for counters.
+std::string toPrometheus(const Statistics& statistics);
+
+/// For the screen: one line each.
+std::vector<std::string> toLines(const Statistics& statistics);
+
+} // namespace kiosk

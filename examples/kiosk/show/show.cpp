@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "kiosk/show/show.h"
+
+#include "kiosk/machine/machine.h"
+#include "kiosk/screen.h"
+
+#include <algorithm>
+
+namespace kiosk {
+
+namespace platform = franken::platform;
+using franken::LogLevel;
+using franken::Result;
+
+namespace {
+
+constexpr double kExposureStep = 1.25;
+constexpr double kMostExposure = 16;
+
+Time seconds(double count) { return std::chrono::duration_cast<Time>(std::chrono::duration<double>(count)); }
+
+std::filesystem::path manifestOf(const Config& config) {
+    return config.files.state.empty() ? std::filesystem::path()
+                                      : std::filesystem::path(config.files.state) / "programs.manifest";
+}
+
+} // namespace
+
+Show::Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::Handler changed)
+    : m_config(config), m_log(std::move(log)), m_changed(std::move(changed)) {
+    m_content = std::make_unique<Content>(loop, m_log, [this] { contentArrived(); });
+    m_skySource = loop.onReadable(m_skyLoader.descriptor(), [this] {
+        if (const std::optional<SkyLoader::Sky> sky = m_skyLoader.take(); sky && !*sky)
+            m_log(LogLevel::Error, "the sky: " + franken::toString(sky->error()));
+        else if (sky)
+            m_sky = **sky;
+        if (m_stage)
+            m_stage->setSky(m_sky);
+        m_changed();
+    });
+    m_transition.configure(seconds(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
+    m_content->configure(config);
+    requestSky();
+}
+
+void Show::requestSky() {
+    m_sky.reset();
+    if (!m_config.show.sky.empty())
+        m_skyLoader.request(m_config.show.sky);
+    else if (m_stage)
+        m_stage->setSky(nullptr);
+}
+
+void Show::configure(const Config& config) {
+    const bool isOtherSky = config.show.sky != m_config.show.sky;
+    m_config = config;
+    m_transition.configure(seconds(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
+    if (m_stage)
+        m_stage->configure(config);
+    m_content->configure(config);
+    if (isOtherSky)
+        requestSky();
+    contentArrived();
+}
+
+Result<void> Show::open(const platform::Surface& surface) {
+    const Result<franken::Gl> gl = franken::Gl::load(surface.getProcAddress());
+    if (!gl)
+        return gl.error();
+    m_stage = std::make_unique<Stage>(*gl, surface.driver(), manifestOf(m_config), m_config, m_log);
+    m_stage->renderer().memory().setBudget(memoryBudget(m_config.content.memoryMebibytes, Machine()));
+    m_stage->setTarget(targetOf(surface), surface.srgbTarget());
+    m_stage->configure(m_config);
+    m_stage->setControls(m_lights);
+    m_stage->setResolution(m_resolution);
+    if (m_sky)
+        m_stage->setSky(m_sky);
+    contentArrived();
+    return {};
+}
+
+void Show::contextLost() {
+    if (m_stage)
+        m_stage->renderer().contextLost();
+    m_stage.reset();
+    m_transition.clear();
+    m_content->cancel();
+}
+
+void Show::layoutChanged(const platform::Surface& surface) {
+    if (m_stage)
+        m_stage->setTarget(targetOf(surface), surface.srgbTarget());
+}
+
+void Show::wantNext(int direction) {
+    m_direction = direction;
+    const Exhibit* shown = m_stage->shown();
+    m_content->want(shown != nullptr ? std::optional(shown->path) : std::nullopt, direction);
+}
+
+void Show::contentArrived() {
+    if (!m_stage)
+        return;
+    if (std::optional<LoadedModel> model = m_content->take()) {
+        const std::filesystem::path path = model->path;
+        if (const Result<void> prepared = m_stage->prepare(*std::move(model)); !prepared)
+            m_content->refuse(path, prepared.error());
+    }
+    const Exhibit* shown = m_stage->shown();
+    const std::optional<std::filesystem::path> path =
+        shown != nullptr ? std::optional(shown->path) : std::nullopt;
+    if (path && (!m_content->playlist().contains(*path) || m_content->isReplaced(*path)))
+        m_transition.next();
+    const bool isStale = m_stage->next() != nullptr && !m_content->playlist().contains(m_stage->next()->path);
+    const bool isSurpassed =
+        m_direction > 0 && m_stage->next() != nullptr && m_content->following(path) != m_stage->next()->path;
+    if (isStale || isSurpassed)
+        m_stage->dropNext();
+    if (!m_stage->hasNext() && !m_content->isReading() && (m_mayPreload || shown == nullptr))
+        wantNext();
+    m_changed();
+}
+
+void Show::makeRoom(Time now) {
+    const bool isOver = m_transition.end().count() != 0 && now >= m_transition.end();
+    if (m_mayPreload || !isOver || m_stage->hasNext() || m_content->isReading())
+        return;
+    wantNext();
+    m_stage->clear();
+    m_transition.clear();
+}
+
+void Show::change(Time now) {
+    const Result<bool> ready = m_stage->nextIsReady();
+    if (!ready) {
+        const std::filesystem::path path = m_stage->next()->path;
+        m_stage->dropNext();
+        m_content->refuse(path, ready.error());
+    }
+    if (!m_transition.advance(now, ready && *ready))
+        return;
+    if (const Result<void> changed = m_stage->change(); !changed)
+        m_log(LogLevel::Error, franken::toString(changed.error()));
+    m_log(LogLevel::Info, "shows " + m_stage->shown()->path.string());
+    ++m_modelsShown;
+    m_stage->shown()->view.setPaused(m_paused);
+    m_stage->keepManifest();
+    if (m_mayPreload)
+        wantNext();
+}
+
+bool Show::moves(Time now) const {
+    if (!m_stage || m_stage->hasWork())
+        return true;
+    const Time end = m_transition.end();
+    const Transition::Phase phase = m_transition.phase();
+    const bool isFading = phase == Transition::Phase::FadingIn || phase == Transition::Phase::FadingOut;
+    const bool isDue = end.count() != 0 && now >= end && (m_stage->hasNext() || !m_mayPreload);
+    return isFading || isDue ||
+           (m_stage->hasNext() && (phase == Transition::Phase::Empty || m_transition.isAsked())) ||
+           (m_stage->shown() != nullptr && m_stage->shown()->view.moves());
+}
+
+void Show::draw(Time now) {
+    const double passed = m_last.count() == 0 ? 0 : std::chrono::duration<double>(now - m_last).count();
+    m_last = now;
+    if (const Result<void> worked = m_stage->work(); !worked)
+        m_log(LogLevel::Warning, franken::toString(worked.error()));
+    change(now);
+    makeRoom(now);
+    if (m_stage->shown() != nullptr)
+        m_stage->shown()->view.advance(passed);
+    const bool isLoading = m_stage->shown() == nullptr && (m_content->isReading() || m_stage->hasNext());
+    if (const Result<void> drawn = m_stage->draw(m_transition.cover(now), isLoading); !drawn)
+        m_log(LogLevel::Error, franken::toString(drawn.error()));
+}
+
+void Show::act(Action action) {
+    if (!m_stage)
+        return;
+    Exhibit* shown = m_stage->shown();
+    if (action == Action::Next || action == Action::Previous) {
+        m_transition.next();
+        if (action == Action::Previous || !m_stage->hasNext()) {
+            m_stage->dropNext();
+            wantNext(action == Action::Next ? 1 : -1);
+        }
+    }
+    if (action == Action::Pause)
+        m_paused = !m_paused;
+    if (action == Action::Lights)
+        m_lights.suns = !m_lights.suns;
+    if (action == Action::Brighter || action == Action::Darker)
+        m_lights.exposure =
+            std::clamp(m_lights.exposure * (action == Action::Brighter ? kExposureStep : 1 / kExposureStep),
+                       1 / kMostExposure, kMostExposure);
+    if (shown != nullptr) {
+        shown->view.setPaused(m_paused);
+        if (action == Action::NextCamera)
+            shown->view.nextCamera();
+    }
+    m_stage->setControls(m_lights);
+    m_changed();
+}
+
+void Show::drag(double x, double y) {
+    if (m_stage && m_stage->shown() != nullptr)
+        m_stage->shown()->view.drag(x * franken::aspectOf(m_stage->target()), y);
+    m_changed();
+}
+
+void Show::zoom(double factor) {
+    if (m_stage && m_stage->shown() != nullptr)
+        m_stage->shown()->view.zoom(factor);
+    m_changed();
+}
+
+void Show::relieve(const Relief& relief) {
+    m_mayPreload = relief.mayPreload();
+    m_resolution = relief.resolution();
+    if (m_stage)
+        m_stage->setResolution(m_resolution);
+    if (!m_mayPreload && m_stage && m_stage->shown() != nullptr) {
+        m_stage->dropNext();
+        m_content->cancel();
+    }
+    contentArrived();
+}
+
+void Show::report(Statistics& statistics) const {
+    statistics.models = m_content->playlist().models().size();
+    statistics.modelsBroken = m_content->playlist().broken().size();
+    statistics.modelsShown = m_modelsShown;
+    if (!m_stage)
+        return;
+    franken::Renderer& renderer = m_stage->renderer();
+    statistics.compiles = renderer.programCounters().compiles;
+    statistics.fallbacks = renderer.fallbacks().size();
+    statistics.gpuBytes = static_cast<double>(renderer.memory().used());
+    statistics.gpuBudgetBytes = static_cast<double>(renderer.memory().budget());
+}
+
+} // namespace kiosk

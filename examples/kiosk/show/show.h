@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "franken/platform/surface.h"
+#include "kiosk/content/content.h"
+#include "kiosk/content/sky_loader.h"
+#include "kiosk/control/action.h"
+#include "kiosk/decide/relief.h"
+#include "kiosk/report/statistics.h"
+#include "kiosk/show/stage.h"
+#include "kiosk/show/transition.h"
+
+#include <memory>
+
+namespace kiosk {
+
+/// One model after the other: what is read, uploaded, shown and faded, and what visitors do to it.
+class Show {
+public:
+    /// `changed` is called when the picture that the screen shows is out of date.
+    Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::Handler changed);
+
+    void configure(const Config& config);
+
+    /// Makes the stage, in the surface's context, which is current.
+    franken::Result<void> open(const franken::platform::Surface& surface);
+    bool isOpen() const { return m_stage != nullptr; }
+    void contextLost();
+    void layoutChanged(const franken::platform::Surface& surface);
+
+    /// Whether the picture changes by itself.
+    bool moves(Time now) const;
+    /// When it will; 0: not by time alone.
+    Time nextMove() const { return m_transition.end(); }
+
+    /// Draws a frame that begin() allowed.
+    void draw(Time now);
+
+    void act(Action action);
+    void drag(double x, double y);
+    void zoom(double factor);
+
+    /// Draws fewer pixels, or reads a model only once the one before is gone.
+    void relieve(const Relief& relief);
+
+    void report(Statistics& statistics) const;
+    Stage* stage() { return m_stage.get(); }
+
+private:
+    void contentArrived();
+    void wantNext(int direction = 1);
+    void change(Time now);
+    void makeRoom(Time now);
+    void requestSky();
+
+    Config m_config;
+    franken::Log m_log;
+    EventLoop::Handler m_changed;
+    std::unique_ptr<Content> m_content;
+    SkyLoader m_skyLoader;
+    std::unique_ptr<EventLoop::Source> m_skySource;
+    std::shared_ptr<const franken::BakedSky> m_sky;
+    std::unique_ptr<Stage> m_stage;
+    Transition m_transition;
+    LightControls m_lights;
+    Time m_last{0};      ///< Of the frame before.
+    int m_direction = 1; ///< In which the next model was looked for.
+    double m_resolution = 1;
+    bool m_paused = false, m_mayPreload = true;
+    std::uint64_t m_modelsShown = 0;
+};
+
+} // namespace kiosk
