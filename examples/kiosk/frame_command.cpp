@@ -2,6 +2,7 @@
 #include "kiosk/frame_command.h"
 
 #include "franken/png.h"
+#include "kiosk/report/statistics.h"
 #include "kiosk/screen.h"
 #include "kiosk/show/stage.h"
 
@@ -73,6 +74,10 @@ Result<void> drawFrame(const DrawFrame& command, const Config& config, const fra
     if (Result<void> uploaded = upload(stage, *std::move(model)); !uploaded)
         return uploaded;
     stage.shown()->view.advance(command.seconds);
+    if (config.show.caption)
+        stage.labels().setCaption(stage.shown()->caption);
+    if (config.show.statistics)
+        stage.labels().setStatistics(toLines(Statistics()));
     if (Result<void> drawn = stage.draw(0, false); !drawn)
         return drawn;
     const Result<franken::Image> picture = stage.renderer().readPixels(stage.target());

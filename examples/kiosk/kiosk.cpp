@@ -232,6 +232,10 @@ Result<void> Kiosk::frame() {
     // A little early: a frame that is begun late is shown by the same refresh.
     const double rate = m_config.screen.maxFrameRate * m_monitor->relief().frameRate();
     m_nextFrame = begun + seconds(1 / rate) - std::chrono::milliseconds(2);
+    if (m_show->showsStatistics() && begun >= m_nextStatistics) {
+        m_nextStatistics = begun + kTick;
+        m_show->setStatistics(m_monitor->statistics());
+    }
     m_isStale = false;
     m_show->draw(begun);
     if (m_wantsScreenshot)

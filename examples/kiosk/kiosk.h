@@ -83,7 +83,7 @@ private:
 
     std::vector<std::unique_ptr<EventLoop::Source>> m_sources;
     std::unique_ptr<EventLoop::Timer> m_frameTimer, m_clockTimer, m_aliveTimer;
-    Time m_started, m_nextFrame{0}, m_frameWork{0}, m_nextHeartbeat{0};
+    Time m_started, m_nextFrame{0}, m_frameWork{0}, m_nextHeartbeat{0}, m_nextStatistics{0};
     std::string m_state;
     bool m_isStale = true; ///< Something changed that the screen does not show yet.
     bool m_wantsScreenshot = false, m_ends = false;

@@ -39,6 +39,7 @@ struct Config {
         std::string ambient = "0.2,0.21,0.23";
         bool caption = true;
         bool statistics = false;
+        std::string font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
         int pixelShift = 4;
     } show;
     struct {

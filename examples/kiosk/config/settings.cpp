@@ -157,6 +157,12 @@ void addContent(List& list) {
     }
     , "Show frame times, memory, temperature."
     });
+    list.push_back({"show.font", Text{.of = [](Config& c) -> auto& { return c.show.font;
+    }
+    , .isPath = true
+    }
+    , "The TrueType font of texts (Debian: fonts-dejavu-core).", Takes::Restart
+    });
     list.push_back({"show.pixel-shift", Whole{[](Config& c) -> auto& { return c.show.pixelShift;
     }
     , 0, 64

@@ -24,9 +24,10 @@ float pixelsOf(float share, float height) { return std::clamp(share * height, 9.
 Labels::Labels(franken::Renderer& renderer, const std::filesystem::path& font, franken::Log log)
     : m_renderer(renderer), m_texts(renderer, {.log = log}) {
     Result<franken::Font> loaded = franken::loadFont(font);
-    if (!loaded)
-        return log(franken::LogLevel::Warning, "no texts are shown: " + franken::toString(loaded.error()));
-    m_font = *std::move(loaded);
+    if (loaded)
+        m_font = *std::move(loaded);
+    else
+        log(franken::LogLevel::Warning, "no texts are shown: " + franken::toString(loaded.error()));
     if (const auto sheet = renderer.addPicture(kWhite, [] { return kWhite; }))
         m_sheet = *sheet;
 }

@@ -27,7 +27,11 @@ std::filesystem::path manifestOf(const Config& config) {
 } // namespace
 
 Show::Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::Handler changed)
-    : m_config(config), m_log(std::move(log)), m_changed(std::move(changed)) {
+    : m_config(config),
+      m_log(std::move(log)),
+      m_changed(std::move(changed)),
+      m_captions(config.show.caption),
+      m_statistics(config.show.statistics) {
     m_content = std::make_unique<Content>(loop, m_log, [this] { contentArrived(); });
     m_skySource = loop.onReadable(m_skyLoader.descriptor(), [this] {
         if (const std::optional<SkyLoader::Sky> sky = m_skyLoader.take(); sky && !*sky)
@@ -52,6 +56,8 @@ void Show::requestSky() {
 }
 
 void Show::configure(const Config& config) {
+    m_captions = config.show.caption;
+    m_statistics = config.show.statistics;
     const bool isOtherSky = config.show.sky != m_config.show.sky;
     m_config = config;
     m_transition.configure(seconds(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
@@ -171,8 +177,26 @@ void Show::draw(Time now) {
     if (m_stage->shown() != nullptr)
         m_stage->shown()->view.advance(passed);
     const bool isLoading = m_stage->shown() == nullptr && (m_content->isReading() || m_stage->hasNext());
-    if (const Result<void> drawn = m_stage->draw(m_transition.cover(now), isLoading); !drawn)
+    label(isLoading);
+    const Shift shift = wander(now, m_config.show.pixelShift);
+    if (const Result<void> drawn = m_stage->draw(m_transition.cover(now), isLoading, shift); !drawn)
         m_log(LogLevel::Error, franken::toString(drawn.error()));
+}
+
+void Show::label(bool isLoading) {
+    const Exhibit* shown = m_stage->shown();
+    Labels& labels = m_stage->labels();
+    labels.setCaption(m_captions && shown != nullptr ? shown->caption : "");
+    const bool isEmpty = shown == nullptr && !isLoading;
+    labels.setNotice(isLoading ? "Loading" : isEmpty ? "No model is there that can be shown" : "");
+    if (!m_statistics)
+        labels.setStatistics({});
+}
+
+void Show::setStatistics(const Statistics& statistics) {
+    if (m_stage)
+        m_stage->labels().setStatistics(toLines(statistics));
+    m_changed();
 }
 
 void Show::act(Action action) {
@@ -188,6 +212,10 @@ void Show::act(Action action) {
     }
     if (action == Action::Pause)
         m_paused = !m_paused;
+    if (action == Action::Caption)
+        m_captions = !m_captions;
+    if (action == Action::Statistics)
+        m_statistics = !m_statistics;
     if (action == Action::Lights)
         m_lights.suns = !m_lights.suns;
     if (action == Action::Brighter || action == Action::Darker)

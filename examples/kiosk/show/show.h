@@ -43,6 +43,10 @@ public:
     /// Draws fewer pixels, or reads a model only once the one before is gone.
     void relieve(const Relief& relief);
 
+    /// Whether they are to be seen: setStatistics() is called now and then.
+    bool showsStatistics() const { return m_statistics; }
+    void setStatistics(const Statistics& statistics);
+
     void report(Statistics& statistics) const;
     Stage* stage() { return m_stage.get(); }
 
@@ -50,6 +54,7 @@ private:
     void contentArrived();
     void wantNext(int direction = 1);
     void change(Time now);
+    void label(bool isLoading);
     void makeRoom(Time now);
     void requestSky();
 
@@ -65,6 +70,7 @@ private:
     LightControls m_lights;
     Time m_last{0};      ///< Of the frame before.
     int m_direction = 1; ///< In which the next model was looked for.
+    bool m_captions, m_statistics;
     double m_resolution = 1;
     bool m_paused = false, m_mayPreload = true;
     std::uint64_t m_modelsShown = 0;

@@ -49,7 +49,8 @@ Stage::Stage(const franken::Gl& gl, const std::string& driver, std::filesystem::
       m_manifest(std::move(manifest)),
       m_config(config),
       m_renderer(gl, m_log),
-      m_canvas(gl, m_renderer) {
+      m_canvas(gl, m_renderer),
+      m_labels(m_renderer, config.show.font, m_log) {
     if (const auto sheet = m_renderer.addPicture(kWhite, [] { return kWhite; }))
         m_sheet = *sheet;
     if (!m_manifest.empty() && std::filesystem::exists(m_manifest))
@@ -207,12 +208,12 @@ Result<void> Stage::drawModel() {
     return m_renderer.drawOverlay({&quad, 1}, m_target);
 }
 
-Result<void> Stage::draw(double cover, bool isLoading) {
+Result<void> Stage::draw(double cover, bool isLoading, Shift shift) {
     const Result<void> drawn = drawModel();
-    return drawn ? drawOver(cover, isLoading) : drawn;
+    return drawn ? drawOver(cover, isLoading, shift) : drawn;
 }
 
-Result<void> Stage::drawOver(double cover, bool isLoading) {
+Result<void> Stage::drawOver(double cover, bool isLoading, Shift shift) {
     const franken::OverlayRect area = viewerArea(m_target);
     const float width = area.width, height = area.height;
     const franken::Float3& back = m_target.background;
@@ -229,7 +230,8 @@ Result<void> Stage::drawOver(double cover, bool isLoading) {
         quads.push_back({.picture = m_sheet, .place = bar, .color = {1, 1, 1, 0.15f}});
         quads.push_back({.picture = m_sheet, .place = done, .color = {1, 1, 1, 0.7f}});
     }
-    return quads.empty() ? Result<void>() : m_renderer.drawOverlay(quads, m_target);
+    const Result<void> drawn = quads.empty() ? Result<void>() : m_renderer.drawOverlay(quads, m_target);
+    return drawn ? m_labels.draw(m_target, cover, shift) : drawn;
 }
 
 void Stage::keepManifest() {

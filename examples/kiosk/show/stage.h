@@ -5,6 +5,7 @@
 #include "kiosk/config/config.h"
 #include "kiosk/content/loader.h"
 #include "kiosk/show/canvas.h"
+#include "kiosk/show/labels.h"
 #include "kiosk/show/lighting.h"
 #include "kiosk/show/view.h"
 
@@ -68,18 +69,20 @@ public:
 
     /// `cover`: 0 shows the model, 1 the background alone. `isLoading`: with a bar that fills as programs are
     /// made.
-    franken::Result<void> draw(double cover, bool isLoading);
+    /// `shift`: of texts.
+    franken::Result<void> draw(double cover, bool isLoading, Shift shift = {});
 
     /// Adds the programs that were needed to the manifest, if there are new ones.
     void keepManifest();
 
+    Labels& labels() { return m_labels; }
     franken::Renderer& renderer() { return m_renderer; }
     const franken::DrawTarget& target() const { return m_target; }
 
 private:
     void light();
     franken::Result<void> drawModel();
-    franken::Result<void> drawOver(double cover, bool isLoading);
+    franken::Result<void> drawOver(double cover, bool isLoading, Shift shift);
     void warm(const std::vector<franken::ProgramUse>& uses);
 
     franken::Log m_log;
@@ -88,6 +91,7 @@ private:
     Config m_config;
     franken::Renderer m_renderer;
     Canvas m_canvas;
+    Labels m_labels;
     double m_resolution = 1;
     franken::DrawTarget m_target;
     bool m_srgbTarget = false;
