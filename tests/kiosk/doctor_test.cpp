@@ -199,7 +199,8 @@ TEST(KioskAppliance, TheUnitIsSoundAndLittleIsExposed) {
     const fs::path folder = emptyTestFolder();
     const std::string unit = readText(FRANKEN_SOURCE_DIR "/examples/kiosk/appliance/kiosk.service");
     std::string here = unit;
-    here.replace(here.find("/usr/bin/kiosk"), 14, KIOSK);
+    const std::string installed = "/usr/bin/frankenshader-kiosk";
+    here.replace(here.find(installed), installed.size(), KIOSK);
     std::ofstream(folder / "kiosk.service") << here;
     const Outcome verified = runIn(folder, "systemd-analyze verify --man=no ./kiosk.service");
     EXPECT_EQ(verified.err.find("kiosk.service:"), std::string::npos) << verified.err;

@@ -38,4 +38,4 @@ systemctl daemon-reload
 systemctl restart systemd-journald
 systemctl set-default multi-user.target
 systemctl enable kiosk.service
-echo "Copy models to /data/models, then: sudo systemctl start kiosk; kiosk doctor --config $config"
+echo "Copy models to /data/models, then: sudo systemctl start kiosk; frankenshader-kiosk doctor --config $config"
