@@ -89,6 +89,90 @@ TEST(Complete, ComputesTangentsForANormalTextureAlone) {
     EXPECT_EQ(complete(scene)->meshes[0].primitives[0].material, 2);
 }
 
+// A vertex has one tangent: by the first of its materials, the variants' among them, that has a normal
+// texture.
+TEST(Complete, ComputesTangentsForTheMaterialsOfVariantsToo) {
+    Primitive primitive = plane({2, 2});
+    primitive.tangents.clear();
+    primitive.uv[1] = primitive.uv[0];
+    for (glm::vec2& uv : primitive.uv[1])
+        uv = {uv.y, uv.x};
+    primitive.variantMaterials = {kNone, 1, 2};
+    Scene scene = sceneOf(primitive);
+    scene.variants = {"plain", "bumpy", "turned"};
+    scene.images = {{"", 1, 1, {128, 128, 255, 255}}};
+    scene.textures.emplace_back().image = 0;
+    scene.materials.resize(3);
+    EXPECT_TRUE(complete(scene)->meshes[0].primitives[0].tangents.empty());
+    const auto tangentOf = [](const Scene& from) {
+        const Result<Scene> done = complete(from);
+        EXPECT_TRUE(done);
+        return done->meshes[0].primitives[0].tangents.at(0);
+    };
+    scene.materials[2].textures[TextureRole::Normal] = {.texture = 0, .uvSet = 1};
+    EXPECT_EQ(tangentOf(scene), glm::vec4(0, -1, 0, -1)) << "u grows downwards in the second stream";
+    scene.materials[1].textures[TextureRole::Normal].texture = 0;
+    EXPECT_EQ(tangentOf(scene), glm::vec4(1, 0, 0, 1)) << "the first one counts";
+}
+
+/// Corners of a cube, six faces of two triangles, and each corner shared by all that meet there.
+Primitive cube() {
+    Primitive primitive;
+    for (int i = 0; i < 8; ++i)
+        primitive.positions.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+    primitive.indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                         2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+    return primitive;
+}
+
+TEST(Complete, SmoothNormalsAreTheMeanOfTheTrianglesByTheirAngles) {
+    const Result<Scene> scene = complete(sceneOf(cube()), Normals::Smooth);
+    ASSERT_TRUE(scene);
+    const Primitive& primitive = scene->meshes[0].primitives[0];
+    ASSERT_EQ(primitive.positions.size(), 8u) << "vertices stay shared";
+    EXPECT_EQ(primitive.indices, cube().indices);
+    for (std::size_t i = 0; i < 8; ++i)
+        EXPECT_LT(
+            glm::distance(primitive.normals[i], glm::normalize(2.0f * primitive.positions[i] - glm::vec3(1))),
+            1e-6f)
+            << i << ": three faces count alike, however they are cut into triangles";
+    EXPECT_EQ(complete(sceneOf(cube()))->meshes[0].primitives[0].positions.size(), 36u);
+
+    Primitive given = cube();
+    given.normals.assign(8, {0, 0, 1});
+    given.indices.resize(3);
+    EXPECT_EQ(complete(sceneOf(given), Normals::Smooth)->meshes[0].primitives[0].normals[0],
+              glm::vec3(0, 0, 1))
+        << "those that are there stay";
+}
+
+TEST(Complete, SmoothNormalsOfASphereAreItsRadiiAcrossTheSeam) {
+    Primitive ball = sphere(2, 24);
+    ball.normals.clear();
+    ball.tangents.clear();
+    const Result<Scene> scene = complete(sceneOf(ball), Normals::Smooth);
+    ASSERT_TRUE(scene);
+    const Primitive& primitive = scene->meshes[0].primitives[0];
+    ASSERT_EQ(primitive.positions.size(), ball.positions.size());
+    for (std::size_t i = 0; i < primitive.positions.size(); ++i)
+        EXPECT_LT(glm::distance(primitive.normals[i], primitive.positions[i] / 2.0f), 0.01f) << i;
+    for (std::size_t row = 0; row <= 24; ++row)
+        EXPECT_EQ(ball.positions[49 * row], ball.positions[49 * row + 48]) << "the seam closes";
+}
+
+TEST(Complete, SmoothNormalsOfWhatHasNoSideAreZ) {
+    Primitive primitive;
+    primitive.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0},      {0, 3, 0},
+                           {0, 0, 3}, {9, 9, 9}, {1e-30f, 0, 0}, {0, 0, 1e-30f}};
+    primitive.indices = {0, 1, 2, /* both sides: */ 0, 3, 4, 0, 4, 3, /* tiny: */ 0, 7, 6};
+    const Result<Scene> scene = complete(sceneOf(primitive), Normals::Smooth);
+    ASSERT_TRUE(scene) << toString(scene.error());
+    const std::vector<glm::vec3>& normals = scene->meshes[0].primitives[0].normals;
+    for (const std::size_t vertex : {1u, 2u, 3u, 4u, 5u})
+        EXPECT_EQ(normals[vertex], glm::vec3(0, 0, 1)) << vertex;
+    EXPECT_EQ(normals[6], glm::vec3(0, 1, 0)) << "of the tiny one";
+}
+
 TEST(Complete, NamesWhatIsWrong) {
     const auto whereOf = [](const Scene& scene) {
         const Result<Scene> done = complete(scene);

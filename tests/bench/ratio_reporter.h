@@ -18,10 +18,11 @@ public:
     void ReportRuns(const std::vector<Run>& runs) override {
         for (const Run& run : runs)
             if (run.run_type == Run::RT_Iteration) {
-                const auto [known, added] =
-                    m_times.emplace(run.run_name.function_name, run.GetAdjustedCPUTime());
+                const bool isManual = run.run_name.time_type == "manual_time";
+                const double time = isManual ? run.GetAdjustedRealTime() : run.GetAdjustedCPUTime();
+                const auto [known, added] = m_times.emplace(run.run_name.function_name, time);
                 if (!added)
-                    known->second = std::min(known->second, run.GetAdjustedCPUTime());
+                    known->second = std::min(known->second, time);
             }
         ConsoleReporter::ReportRuns(runs);
     }

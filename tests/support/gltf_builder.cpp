@@ -58,6 +58,20 @@ void GltfBuilder::setTriangle() {
     setPrimitive({{"attributes", {{"POSITION", floats("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0})}}}});
 }
 
+void GltfBuilder::setTriangles(const std::vector<std::vector<unsigned char>>& images, const char* mimeType) {
+    setTriangle();
+    Json primitive = json["meshes"][0]["primitives"][0];
+    primitive["attributes"]["TEXCOORD_0"] = floats("VEC2", {0, 0, 1, 0, 0, 1});
+    json["meshes"][0]["primitives"] = Json::array();
+    for (const std::vector<unsigned char>& image : images) {
+        const int source = append("images", {{"bufferView", view(image)}, {"mimeType", mimeType}});
+        const int texture = append("textures", {{"source", source}});
+        primitive["material"] =
+            append("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
+        json["meshes"][0]["primitives"].push_back(primitive);
+    }
+}
+
 int GltfBuilder::appendTexture() {
     const int image = append("images", {{"uri", "data:image/png;base64," + base64(kPng)}});
     return append("textures", {{"source", image}});

@@ -54,6 +54,8 @@ public:
     void setPrimitive(const Json& primitive);
     /// The unit triangle (0,0,0), (1,0,0), (0,1,0), and setPrimitive() of it.
     void setTriangle();
+    /// A unit triangle for each of these image files, which it shows.
+    void setTriangles(const std::vector<std::vector<unsigned char>>& images, const char* mimeType);
     /// Appends a PNG of one pixel, with an image, texture and sampler-less use of it; the texture's index.
     int appendTexture();
 

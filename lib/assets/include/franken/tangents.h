@@ -13,6 +13,13 @@ namespace FRANKEN_API franken {
 /// are kept. The normal of a triangle without area is +Z. Needs `positions` and `indices`.
 void computeFlatNormals(Primitive& primitive);
 
+/// Gives every vertex the mean of the normals of all triangles that have a corner at its position, each
+/// weighted by its angle there (G. Thürmer and C. Wüthrich, "Computing Vertex Normals from Polygonal Facets",
+/// 1998). Vertices of equal position get equal normals, so that seams of texture coordinates are not seen;
+/// nothing is added or moved. Triangles must be wound alike. Tangents are dropped. +Z where triangles have no
+/// area, cancel each other, or are none. Needs `positions` and `indices`. Computes in double.
+void computeSmoothNormals(Primitive& primitive);
+
 /// Computes `tangents` by the method of MikkTSpace (M. Mikkelsen, "Simulation of Wrinkled Surfaces
 /// Revisited", 2008, and the reference code's documentation), which is what normal maps are baked against:
 ///

@@ -57,6 +57,20 @@ std::vector<const Primitive*> giveAnyNormals(Scene& scene) {
     return given;
 }
 
+/// Of the first of its materials that has one.
+const TextureRef* normalTextureOf(const Scene& scene, const Primitive& primitive) {
+    const auto of = [&](int material) {
+        const TextureRef& texture =
+            scene.materials[static_cast<std::size_t>(material)].textures[TextureRole::Normal];
+        return texture ? &texture : nullptr;
+    };
+    const TextureRef* texture = of(primitive.material);
+    for (const int material : primitive.variantMaterials)
+        if (texture == nullptr && material != kNone)
+            texture = of(material);
+    return texture;
+}
+
 void turnToNormals(Primitive& primitive) {
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         std::uint32_t* const corner = primitive.indices.data() + i;
@@ -72,23 +86,22 @@ void turnToNormals(Primitive& primitive) {
 
 } // namespace
 
-Result<Scene> complete(Scene scene) {
+Result<Scene> complete(Scene scene, Normals normals) {
     giveMaterials(scene);
     giveIndices(scene);
     const std::vector<const Primitive*> withoutNormals = giveAnyNormals(scene);
     if (Result<void> checked = check(scene); !checked)
         return checked.error();
     eachPrimitive(scene, [&](Primitive& primitive) {
-        const bool flat =
+        const bool hasNone =
             std::find(withoutNormals.begin(), withoutNormals.end(), &primitive) != withoutNormals.end();
-        if (flat)
-            computeFlatNormals(primitive);
+        if (hasNone)
+            normals == Normals::Smooth ? computeSmoothNormals(primitive) : computeFlatNormals(primitive);
         for (glm::vec3& normal : primitive.normals)
             normal = unitOr(normal, normal); // check() has seen that each has a length.
         turnToNormals(primitive);
-        const Material& material = scene.materials[static_cast<std::size_t>(primitive.material)];
-        if (const TextureRef& normalTexture = material.textures[TextureRole::Normal])
-            fillTangents(primitive, normalTexture);
+        if (const TextureRef* const normalTexture = normalTextureOf(scene, primitive))
+            fillTangents(primitive, *normalTexture);
         primitive.bounds = boundsOf(primitive.positions);
     });
     for (Instance& instance : scene.instances)

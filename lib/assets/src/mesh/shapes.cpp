@@ -35,8 +35,8 @@ Primitive bounded(Primitive primitive) {
 constexpr glm::vec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
 
 void addSphereVertex(Primitive& primitive, float radius, float u, float v) {
-    const float longitude = glm::two_pi<float>() * u, polar = glm::pi<float>() * v;
-    // The south pole is one point for all longitudes, which the sine of a rounded pi would not make it.
+    // The seam closes, and the south pole is one point, which the sines of a rounded pi would not make them.
+    const float longitude = u == 1 ? 0 : glm::two_pi<float>() * u, polar = glm::pi<float>() * v;
     const float wide = v == 1 ? 0 : std::sin(polar);
     const glm::vec3 normal(wide * std::sin(longitude), std::cos(polar), wide * std::cos(longitude));
     primitive.positions.push_back(radius * normal);
