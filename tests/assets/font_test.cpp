@@ -123,6 +123,26 @@ TEST(Font, PutsPartsOfCompositesWhereTheyBelong) {
     EXPECT_NEAR(areaOf(halves), 2 * 40 * 40, 1);
 }
 
+GlyphBitmap bitmapOfComposite(const std::string& parts) {
+    FontFile file = soundFont();
+    std::vector<std::string> glyphs = soundGlyphs();
+    glyphs[HalvesB] = composite(parts);
+    file.setGlyphs(glyphs);
+    return bitmapOf(fontOf(file), HalvesB, 100);
+}
+
+TEST(Font, PutsPartsByScaledOffsetsAndByPoints) {
+    const GlyphBitmap scaled = bitmapOfComposite(scaledHalfPart(SquareA, 1000, 800));
+    EXPECT_EQ(scaled.left, 55);
+    EXPECT_EQ(scaled.top, -80);
+    const GlyphBitmap hung =
+        bitmapOfComposite(halfPart(SquareA, 100, 400, true) + hungHalfPart(SquareA, 3, 0));
+    EXPECT_EQ(hung.left, 15);
+    EXPECT_EQ(hung.top, -80);
+    EXPECT_EQ(hung.width, 80) << "the lower right corner of one is the lower left one of the other";
+    EXPECT_EQ(hung.height, 40);
+}
+
 TEST(Font, ShowsABoxForWhatIsMissingWhereTheFontShowsNothing) {
     const Font font = fontOf(soundFont());
     const GlyphBitmap box = bitmapOf(font, Missing, 100);

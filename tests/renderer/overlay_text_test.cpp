@@ -60,6 +60,18 @@ TEST_P(OverlayTextTest, GlyphsStandWhereTheLayoutSays) {
         }
 }
 
+TEST_P(OverlayTextTest, PlacesAreRoundedToWholePixels) {
+    OverlayText texts(renderer());
+    const Result<TextId> text =
+        texts.add({.font = m_font, .utf8 = "AV", .style = {.pixels = 13}, .x = 5, .y = 3});
+    ASSERT_TRUE(text);
+    const ReadBack whole = drawn(texts);
+    ASSERT_TRUE(texts.setPlace(*text, 5.4f, 2.6f));
+    EXPECT_EQ(drawn(texts).rgba, whole.rgba);
+    ASSERT_TRUE(texts.setPlace(*text, 5.6f, 3));
+    EXPECT_NE(drawn(texts).rgba, whole.rgba);
+}
+
 TEST_P(OverlayTextTest, CoverageAndColorAreBlendedInEncodedSpace) {
     OverlayText texts(renderer());
     // At 5 pixels, an A covers half of its first and last columns: 5.5 to 9.5.

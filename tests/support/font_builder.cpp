@@ -65,10 +65,26 @@ std::string contours(const std::vector<std::vector<FontPoint>>& shapes) {
     return glyph + u16({0}) + flags + xs + ys;
 }
 
-std::string halfPart(int glyph, int x, int y, bool more) {
-    constexpr int kWords = 1, kOffsets = 2, kScale = 8, kMore = 32, kHalf = 8192;
-    return u16({kWords | kOffsets | kScale | (more ? kMore : 0), glyph, x, y, kHalf});
+namespace {
+
+constexpr int kWords = 1, kOffsets = 2, kScale = 8, kMore = 32, kScaledOffset = 2048;
+
+std::string halfPartOf(int flags, int glyph, int first, int second) {
+    constexpr int kHalf = 8192;
+    return u16({flags | kWords | kScale, glyph, first, second, kHalf});
 }
+
+} // namespace
+
+std::string halfPart(int glyph, int x, int y, bool more) {
+    return halfPartOf(kOffsets | (more ? kMore : 0), glyph, x, y);
+}
+
+std::string scaledHalfPart(int glyph, int x, int y) {
+    return halfPartOf(kOffsets | kScaledOffset, glyph, x, y);
+}
+
+std::string hungHalfPart(int glyph, int of, int on) { return halfPartOf(0, glyph, of, on); }
 
 std::string composite(const std::string& parts) { return u16({-1, 0, 0, 0, 0}) + parts; }
 

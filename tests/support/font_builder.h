@@ -31,8 +31,11 @@ struct FontPoint {
 
 /// A glyph of contours, its points as 16-bit steps.
 std::string contours(const std::vector<std::vector<FontPoint>>& shapes);
-/// A part of a composite glyph: a glyph at a half of its size, at an offset.
+/// A part of a composite glyph, at a half of its size: at an offset; at an offset that is scaled, too; with
+/// its point `on` at the whole's point `of`.
 std::string halfPart(int glyph, int x, int y, bool more);
+std::string scaledHalfPart(int glyph, int x, int y);
+std::string hungHalfPart(int glyph, int of, int on);
 /// A composite glyph of parts.
 std::string composite(const std::string& parts);
 
