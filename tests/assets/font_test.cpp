@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numeric>
 
 namespace franken::test {
@@ -255,24 +254,6 @@ TEST_F(TextLayoutTest, ClampsNumbersThatAreNone) {
             EXPECT_TRUE(std::isfinite(m_layout.width) && std::isfinite(m_layout.height));
             EXPECT_EQ(m_layout.glyphs.size(), 4u);
         }
-}
-
-// A font by others: its advances and the sizes of its glyphs, as FreeType 2.12 gives them unhinted.
-TEST(DebiansFont, HasTheWidthsThatFreeTypeGives) {
-    const std::filesystem::path path = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-    if (!std::filesystem::exists(path))
-        GTEST_SKIP() << "fonts-dejavu-core is not there";
-    const Result<Font> font = loadFont(path);
-    ASSERT_TRUE(font) << toString(font.error());
-    const auto units = [&](char32_t code) { return std::lround(2048 * font->advance(font->glyphOf(code))); };
-    EXPECT_EQ(units('A'), 1401);
-    EXPECT_EQ(units('i'), 569);
-    EXPECT_EQ(units(0x20AC), 1303);
-    const auto kerned = [&](char32_t left, char32_t right) {
-        return std::lround(2048 * font->kerning(font->glyphOf(left), font->glyphOf(right)));
-    };
-    EXPECT_LT(kerned('A', 'V'), 0);
-    EXPECT_EQ(kerned('i', 'i'), 0);
 }
 
 } // namespace

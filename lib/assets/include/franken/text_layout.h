@@ -40,8 +40,8 @@ struct TextLayout {
 /// given at spaces (not at U+00A0), or anywhere in a word that is longer than a line. A tab is four spaces;
 /// characters that are not seen (isUnseen() in utf8.h) are left out. Pens are rounded to whole pixels, so
 /// that a glyph has the same pixels wherever it stands. Numbers out of range are clamped. `layout` is
-/// overwritten: its memory is used again, and nothing is allocated where that suffices. Some 30 ns per
-/// character, and more where the font has much kerning. Safe on any thread.
+/// overwritten: its memory is used again, and nothing is allocated where that suffices. 36 ns per
+/// character of DejaVu Sans on a desktop's core. Safe on any thread.
 void layOut(const Font& font, std::string_view text, const TextStyle& style, TextLayout& layout);
 
 } // namespace franken

@@ -44,7 +44,8 @@ struct OverlayTextOptions {
 /// Texts that a renderer draws over its frames. Glyphs are rasterised once for each font and size, into
 /// pictures of the renderer (addPicture()), which are updated in place: they count in its memory, are evicted
 /// and come back after a lost context. A text whose glyphs are there already costs neither an upload nor an
-/// allocation, a new glyph some 10 µs and one upload in the next draw(). All calls on the renderer's thread.
+/// allocation, a new glyph Font::bitmap() and an upload in the next draw(). All calls on the renderer's
+/// thread.
 class OverlayText {
 public:
     /// The renderer outlives it.
