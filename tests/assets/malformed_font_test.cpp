@@ -55,6 +55,12 @@ const std::vector<Row> kRefused = {
     {"Type 1", format(0x74797031), "font.unsupported"},
     {"no cmap", without("cmap"), "font.unsupported"},
     {"no glyf", without("glyf"), "font.format"},
+    {"no outlines at all",
+     [](FontFile& font) {
+         font.tables.erase("glyf");
+         font.tables.erase("loca");
+     },
+     "font.unsupported"},
     {"no head", without("head"), "font.format"},
     {"no hhea", without("hhea"), "font.format"},
     {"no hmtx", without("hmtx"), "font.format"},

@@ -138,7 +138,7 @@ struct [[gnu::visibility("hidden")]] OverlayText::State {
             }
             next.push_back({*entry, placed.x, placed.y});
         }
-        if (utf8.data() != block.text.utf8.data())
+        if (utf8 != block.text.utf8)
             block.text.utf8 = utf8;
         block.text.style = style;
         block.size = {layout.width, layout.height};

@@ -143,12 +143,16 @@ Result<FontTables> readFontTables(std::span<const std::uint8_t> bytes) {
     tables.kerning = directory->find(tag("kern"));
     tables.positioning = directory->find(tag("GPOS"));
     tables.horizontalMetrics = directory->find(tag("hmtx"));
+    const FontTable locations = directory->find(tag("loca"));
+    if (tables.outlines.size() == 0 && locations.size() == 0)
+        return Error{"font.unsupported", "",
+                     "the font has no TrueType outlines (glyf), perhaps pictures alone", "use another font"};
     const Result<bool> isLong = readHead(directory->find(tag("head")), tables);
     if (!isLong)
         return isLong.error();
     Result<void> read = readMetrics(directory->find(tag("maxp")), directory->find(tag("hhea")), tables);
     if (read)
-        read = readGlyphOffsets(directory->find(tag("loca")), *isLong, tables);
+        read = readGlyphOffsets(locations, *isLong, tables);
     if (!read)
         return read.error();
     return tables;
