@@ -3,8 +3,11 @@
 
 using namespace franken;
 
+// Encoded: a picture needs the pixels of one image at a time, when it is uploaded.
 LoadOptions modelLimits(const Options& options) {
-    return {.maxFileBytes = options.memoryBytes, .maxMemoryBytes = options.memoryBytes};
+    return {.maxFileBytes = options.memoryBytes,
+            .maxMemoryBytes = options.memoryBytes,
+            .images = ImageForm::Encoded};
 }
 
 SkyLimits skyLimits(const Options& options) {
