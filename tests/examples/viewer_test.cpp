@@ -226,6 +226,23 @@ TEST_F(Viewer, SaysWhenTheSkyboxIsMagnified) {
 }
 
 // The least that the viewer takes is the least that the library takes: --memory is in MiB, and no more.
+// Four textures of 2048 x 2048: 85 MiB in the driver, and as much again for whoever decodes all before
+// uploading one.
+TEST_F(Viewer, AModelOfLargeTexturesTakesLittleBesideTheDriver) {
+#if defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "a sanitizer's memory is not the program's";
+#endif
+    const fs::path model = findShared("assets/valid/khronos/WaterBottle/WaterBottle.gltf");
+    if (model.empty())
+        GTEST_SKIP() << "needs ../shared/assets/valid beside the sources";
+    const std::string command = VIEWER " --size 64x64 ";
+    const long small = peakKiBIn(m_folder, command + "'" + std::string(kUrn) + "'");
+    const long large = peakKiBIn(m_folder, command + "'" + model.string() + "' --stats");
+    const float textures = lastStats(readText(m_folder / "out")).mebibytes;
+    EXPECT_GT(textures, 80);
+    EXPECT_LT(large - small, static_cast<long>(1024 * (textures + 32))) << "beside one image";
+}
+
 TEST_F(Viewer, MemoryIsCountedInMebibytes) {
     std::size_t least = 1;
     while (!loadGltf(kUrn, {.maxMemoryBytes = least << 20}))

@@ -10,10 +10,6 @@
 
 #include <map>
 
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 using nlohmann::json;
 
 namespace {
@@ -22,20 +18,8 @@ const std::string kDim = "//! light\nvec3 onLight(vec3 color) {\n  return 0.5 * 
 
 class CliBuild : public Cli {
 protected:
-    // The most memory that the program had, in KiB.
     long peakOf(const std::string& arguments) const {
-        const std::string line =
-            "cd '" + m_directory.string() + "' && exec " + kProgram + " " + arguments + " >out 2>err";
-        const pid_t child = fork();
-        if (child == 0) {
-            execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
-            _exit(127);
-        }
-        int status = 0;
-        rusage usage{};
-        EXPECT_EQ(wait4(child, &status, 0, &usage), child);
-        EXPECT_EQ(status, 0) << read("err");
-        return usage.ru_maxrss;
+        return franken::test::peakKiBIn(m_directory, kProgram + (" " + arguments));
     }
 };
 

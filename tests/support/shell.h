@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -70,6 +71,22 @@ inline Outcome runIn(const std::filesystem::path& folder, const std::string& com
     const std::string line = "cd '" + folder.string() + "' && { " + command + " ; } >out 2>err";
     const int status = std::system(line.c_str());
     return {WEXITSTATUS(status), readText(folder / "out"), readText(folder / "err")};
+}
+
+/// The most memory that a program had, run there as the shell's own process, in KiB; a failure where it
+/// fails. Not less than this process has.
+inline long peakKiBIn(const std::filesystem::path& folder, const std::string& command) {
+    const std::string line = "cd '" + folder.string() + "' && exec " + command + " >out 2>err";
+    const pid_t child = fork();
+    if (child == 0) {
+        execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+        _exit(127);
+    }
+    int status = 0;
+    rusage usage{};
+    EXPECT_EQ(wait4(child, &status, 0, &usage), child);
+    EXPECT_EQ(status, 0) << readText(folder / "err");
+    return usage.ru_maxrss;
 }
 
 } // namespace franken::test
