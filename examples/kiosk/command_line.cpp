@@ -2,9 +2,11 @@
 #include "kiosk/command_line.h"
 
 #include "franken/command_line/manual.h"
+#include "franken/command_line/mistake.h"
+#include "franken/printable.h"
 #include "kiosk/config/setting.h"
 
-#include <CLI/CLI.hpp>
+#include <iostream>
 
 namespace kiosk {
 
@@ -111,8 +113,12 @@ Command parseCommandLine(int count, const char* const* arguments) {
     franken::cli::addManual(app, "frankenshader-kiosk");
     try {
         app.parse(count, arguments);
+    } catch (const CLI::Success& success) {
+        app.exit(success);
+        return ExitCode::Ok;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? ExitCode::Ok : ExitCode::Usage;
+        std::cerr << "kiosk: " << franken::printable(franken::cli::mistakeIn(app, error)) << "\n";
+        return ExitCode::Usage;
     }
     return commandOf(app, parsed);
 }

@@ -16,7 +16,7 @@ namespace {
 /// Reports faults; whether there were none.
 bool report(const std::vector<franken::Error>& faults) {
     for (const franken::Error& fault : faults)
-        std::cerr << franken::printableLines(franken::toString(fault)) << "\n";
+        std::cerr << franken::printable(fault) << "\n";
     return faults.empty();
 }
 

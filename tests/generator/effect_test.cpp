@@ -93,6 +93,8 @@ TEST(Effect, ThatIsMissingOrHasAnotherTextIsToldByName) {
     EXPECT_TRUE(contains(changed.error().remedy, set.effects()[0].word()));
     EXPECT_EQ(parseName("sun1+fog+fog", set).error().code, "permutation.twice");
     EXPECT_EQ(parseName("sun1+fog").error().code, "permutation.unknown-word");
+    for (const char* word : {"sun1+smoke@0000000", "sun1+smoke@000000000", "sun1+smoke@0000000g"})
+        EXPECT_EQ(parseName(word, set).error().code, "permutation.unknown-word") << word;
 }
 
 TEST(Effect, StandsInTheProgramWhereItsHookIs) {
@@ -206,6 +208,8 @@ const Refused kRefused[] = {
     {"Fog", kLight, "effect.name", "Fog", "called"},
     {"", kLight, "effect.name", "", "called"},
     {"1st", kLight, "effect.name", "1st", "called"},
+    {"a-name-of-thirty-three-characters", kLight, "effect.name", "a-name-of-thirty-three-character",
+     "called"},
     {"aces", kLight, "effect.name", "aces", "toneMap"},
     {"fog", "", "effect.syntax", "x.glsl:1", "no hook"},
     {"fog", "//! lights\n", "effect.syntax", "x.glsl:1", "'lights' is no hook"},
@@ -223,6 +227,10 @@ const Refused kRefused[] = {
     {"fog", "//! declarations\nuniform vec4 uFog[2]; // user: x\n" + kLight, "effect.uniform", "x.glsl:2",
      "not one"},
     {"fog", "//! declarations\nvarying vec3 vFog;\n" + kLight, "effect.uniform", "x.glsl:2", "nowhere"},
+    {"fog",
+     "//! declarations\nvarying vec3 vFog;\n//! light\nvec3 onLight(vec3 color) {\n  return color + "
+     "vFog;\n}\n",
+     "effect.uniform", "x.glsl:2", "nowhere"},
     {"fog",
      "//! declarations\nuniform vec4 uA; // user: x\nuniform vec4 uB; // user: x\nuniform vec4 uC; // "
      "user: x\n"
