@@ -66,6 +66,16 @@ TEST(Complete, TurnsTrianglesToTheirNormalsAndMirroredInstances) {
     EXPECT_EQ(done->meshes[0].primitives[0].normals[2], glm::vec3(0, 0, 1));
     EXPECT_FALSE(done->instances[0].mirrored);
     EXPECT_TRUE(done->instances[1].mirrored);
+    scene.instances[1].world = glm::scale(glm::dmat4(1), {0.01, 0.01, -0.01});
+    EXPECT_TRUE(complete(scene)->instances[1].mirrored) << "however small";
+}
+
+TEST(Complete, LeavesATriangleThatOneNormalLeansAwayFrom) {
+    Primitive primitive = fold();
+    primitive.indices = {0, 1, 2};
+    primitive.normals = {{0, 0, 1}, {1, 0, -0.1f}, {0, 0, 1}, {0, 0, 1}};
+    EXPECT_EQ(complete(sceneOf(primitive))->meshes[0].primitives[0].indices,
+              (std::vector<std::uint32_t>{0, 1, 2}));
 }
 
 TEST(Complete, ComputesTangentsForANormalTextureAlone) {

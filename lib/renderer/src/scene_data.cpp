@@ -112,6 +112,16 @@ Result<SceneData> SceneData::make(SceneInput input) {
     return SceneData(std::move(input), std::move(plan));
 }
 
+namespace {
+
+/// For a message: which of the scene's images it is.
+std::string nameOf(const Image& image, const Scene& scene) {
+    const std::string element = "images[" + std::to_string(&image - scene.images.data()) + "]";
+    return image.name.empty() ? element : element + " \"" + image.name + "\"";
+}
+
+} // namespace
+
 TextureData SceneData::textureAt(std::size_t index) {
     const auto& [sampled, defaultTexel] = m_plan.textures[index];
     Result<TextureData> data =
@@ -119,8 +129,8 @@ TextureData SceneData::textureAt(std::size_t index) {
     if (data)
         return *std::move(data);
     if (m_input.log)
-        m_input.log(LogLevel::Warning, "image \"" + sampled.image->name + "\": " + toString(data.error()) +
-                                           ": left out [gltf.left-out]");
+        m_input.log(LogLevel::Warning, nameOf(*sampled.image, *m_input.scene) + ": " +
+                                           toString(data.error()) + ": left out [gltf.left-out]");
     return TextureData::texel(defaultTexel, sampled.sampling, sampled.contents);
 }
 
