@@ -144,6 +144,13 @@ void addTarget(CLI::App& app, Options& options) {
                    "model: FILE with -1, -2, ... before its extension")
         ->type_name("N")
         ->check(cli::wholeNumber(1, kMaxTurntable));
+    app.add_option("--frames", options.frames,
+                   "So many pictures of one round of the animation, from --time on, at equal distances: FILE "
+                   "with the number of each in place of %d or %04d (frame_%04d.png), or -1, -2, ... before "
+                   "its extension")
+        ->type_name("N")
+        ->check(cli::wholeNumber(1, kMaxTurntable))
+        ->excludes("--turntable");
     app.add_flag("--supersample", options.supersample, "Four samples a pixel");
     addChoice(app, "--backend", options.backend, "What draws",
               {{"osmesa", platform::Backend::OsMesa}, {"egl", platform::Backend::EglSurfaceless}});
@@ -197,7 +204,8 @@ void addLoading(CLI::App& app, Options& options) {
                  "Draws again whenever the model, the height map, the sky, a snippet or the effect changes, "
                  "until it is interrupted; keeps the last good picture on an error")
         ->excludes("--permutations")
-        ->excludes("--turntable");
+        ->excludes("--turntable")
+        ->excludes("--frames");
     app.add_flag(
            "--list", options.list,
            "Prints what is in the file (cameras, lights, variants, materials, images, nodes), and draws "
@@ -212,7 +220,8 @@ void addLoading(CLI::App& app, Options& options) {
         ->excludes("--permutations")
         ->excludes("--watch")
         ->excludes("--list")
-        ->excludes("--turntable");
+        ->excludes("--turntable")
+        ->excludes("--frames");
 }
 
 void checkTogether(const Options& options) {
@@ -220,6 +229,8 @@ void checkTogether(const Options& options) {
                                             options.manifest, options.snippets, options.effect};
     if (const Result<void> checked = checkOutputs(options, inputs); !checked)
         throw CLI::ValidationError("--output-file", checked.error().what);
+    if (options.frames > 0 && options.animation.empty())
+        throw CLI::ValidationError("--frames", "it needs --animation");
     if (const auto& pick = options.pick)
         if ((*pick)[0] < 0 || (*pick)[1] < 0 || (*pick)[0] >= options.size.width ||
             (*pick)[1] >= options.size.height)
@@ -328,19 +339,45 @@ void addLook(CLI::App& app, Look& look) {
 } // namespace
 
 Result<void> checkOutputs(const Options& options, std::span<const std::filesystem::path> inputs) {
-    for (int number = 0; number < std::max(options.turntable, 1); ++number)
+    for (int number = 0; number < std::max({options.turntable, options.frames, 1}); ++number)
         if (Result<void> checked = checkNotInput(outputOf(options, number), inputs); !checked)
             return checked;
     return {};
 }
 
+namespace {
+
+std::string withZeros(int number, std::size_t digits) {
+    std::string text = std::to_string(number);
+    text.insert(0, digits - std::min(digits, text.size()), '0');
+    return text;
+}
+
+/// The name with the number in place of its first %d, %4d or %04d; nothing where it has none.
+std::optional<std::string> withNumber(const std::string& name, int number) {
+    for (std::size_t begin = name.find('%'); begin != std::string::npos; begin = name.find('%', begin + 1)) {
+        const std::size_t end = name.find_first_not_of("0123456789", begin + 1);
+        constexpr std::size_t kMostDigits = 9;
+        const std::size_t length = end == std::string::npos ? 0 : end - begin - 1;
+        if (end == std::string::npos || name[end] != 'd' || length > 2)
+            continue;
+        const std::string digits = name.substr(begin + 1, length);
+        const std::size_t width = digits.empty() ? 1 : std::stoul(digits);
+        return name.substr(0, begin) + withZeros(number, std::min(width, kMostDigits)) + name.substr(end + 1);
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
 std::filesystem::path outputOf(const Options& options, int number) {
-    if (options.turntable == 0)
+    const int count = std::max(options.turntable, options.frames);
+    if (count == 0)
         return options.output;
-    const std::size_t digits = std::to_string(options.turntable).size();
-    std::string text = std::to_string(number + 1);
-    text.insert(0, digits - text.size(), '0');
     std::filesystem::path path = options.output;
+    if (const auto name = withNumber(path.filename().string(), number + 1); name && options.frames > 0)
+        return path.replace_filename(*name);
+    const std::string text = withZeros(number + 1, std::to_string(count).size());
     path.replace_filename(path.stem().string() + "-" + text + path.extension().string());
     return path;
 }

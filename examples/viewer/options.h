@@ -22,6 +22,7 @@ struct Options {
     franken::platform::Backend backend = franken::platform::Backend::OsMesa;
     franken::platform::Size size = {512, 512};
     int turntable = 0; ///< How many pictures all around; 0 for one picture.
+    int frames = 0;    ///< How many pictures of one round of the animation; 0 for one picture.
     bool supersample = false;
     bool permutations = false;
     bool watch = false;
@@ -56,8 +57,9 @@ struct Options {
     franken::Look look;
 };
 
-/// Where the picture of that number goes, counted from 0, of those all around: the output with the number,
-/// from 1 on, before its extension. The output itself without a turntable.
+/// Where the picture of that number goes, counted from 0, of those all around or of an animation: the output
+/// with the number, from 1 on, in place of its %d or %04d, or else before its extension. The output itself
+/// where there is one picture.
 std::filesystem::path outputOf(const Options& options, int number);
 
 /// Fails where a picture would overwrite one of these.

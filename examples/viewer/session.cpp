@@ -237,12 +237,33 @@ std::optional<Failure> Session::draw() {
         return Failure{written.error(), ExitCode::Device};
     if (std::optional<Failure> failure = drawTurned(subject, orbit))
         return failure;
+    if (std::optional<Failure> failure = drawFrames(subject))
+        return failure;
     if (m_options.stats)
         printStats(*drawn);
     return {};
 }
 
-// The pictures after the first one.
+// The pictures of an animation after the first one, in the same exposure.
+std::optional<Failure> Session::drawFrames(Subject& subject) {
+    for (int number = 1; number < m_options.frames; ++number) {
+        if (const Result<void> posed = applyFrame(subject.scene, subject.camera, m_options, number); !posed)
+            return Failure{posed.error(), ExitCode::Refused};
+        Result<Lighting> lighting = chooseLighting(subject.scene, subject.sky.get(), m_options, {});
+        if (!lighting)
+            return Failure{lighting.error(), ExitCode::Usage};
+        lighting->exposure = subject.lighting.exposure;
+        subject.lighting = *std::move(lighting);
+        const Result<Drawn> drawn = drawSubject(subject);
+        if (!drawn)
+            return Failure{drawn.error(), ExitCode::Device};
+        if (const Result<void> written = writePng(outputOf(m_options, number), drawn->picture); !written)
+            return Failure{written.error(), ExitCode::Device};
+    }
+    return {};
+}
+
+// The pictures all around after the first one.
 std::optional<Failure> Session::drawTurned(Subject& subject, OrbitCamera& orbit) {
     const double step = 2 * std::numbers::pi / std::max(m_options.turntable, 1);
     for (int number = 1; number < m_options.turntable; ++number) {

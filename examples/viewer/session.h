@@ -44,6 +44,7 @@ private:
     std::optional<Failure> readSky();
     std::optional<Failure> readModel(Subject& subject);
     std::optional<Failure> readSubject(Subject& subject);
+    std::optional<Failure> drawFrames(Subject& subject);
     std::optional<Failure> drawTurned(Subject& subject, franken::OrbitCamera& orbit);
     franken::Result<Drawn> drawVisibly(Subject& subject);
     franken::Result<Drawn> drawSubject(const Subject& subject);

@@ -61,25 +61,48 @@ Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
     return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
 }
 
-Result<void> applyAnimation(Scene& scene, const Options& options) {
-    if (options.animation.empty())
-        return {};
+namespace {
+
+/// Index into Scene::animations of the one that the options mean.
+Result<int> chosenAnimation(const Scene& scene, const Options& options) {
     const auto isMeant = [&](const Animation& animation) {
         return animation.name == options.animation || std::to_string(animation.index) == options.animation;
     };
     const auto found = std::find_if(scene.animations.begin(), scene.animations.end(), isMeant);
-    if (found == scene.animations.end()) {
-        std::string known;
-        for (const Animation& animation : scene.animations)
-            known += (known.empty() ? "choose one of " : ", ") + std::to_string(animation.index) + " " +
-                     animation.name;
-        return Error{"viewer.animation", options.animation, "the file has no such animation",
-                     known.empty() ? "leave the option out: the file has no animations" : known};
-    }
+    if (found != scene.animations.end())
+        return static_cast<int>(found - scene.animations.begin());
+    std::string known;
+    for (const Animation& animation : scene.animations)
+        known += (known.empty() ? "choose one of " : ", ") + std::to_string(animation.index) + " " +
+                 animation.name;
+    return Error{"viewer.animation", options.animation, "the file has no such animation",
+                 known.empty() ? "leave the option out: the file has no animations" : known};
+}
+
+} // namespace
+
+Result<void> applyAnimation(Scene& scene, const Options& options) {
+    if (options.animation.empty())
+        return {};
     Pose pose;
-    const int index = static_cast<int>(found - scene.animations.begin());
-    if (Result<void> sampled = sample(scene, index, options.time, pose); !sampled)
+    return chosenAnimation(scene, options)
+        .and_then([&](int index) { return sample(scene, index, options.time, pose); })
+        .and_then([&] { return applyPose(scene, pose); });
+}
+
+Result<void> applyFrame(Scene& scene, Camera& camera, const Options& options, int number) {
+    const Result<int> index = chosenAnimation(scene, options);
+    if (!index)
+        return index.error();
+    const double round = scene.animations[static_cast<std::size_t>(*index)].duration;
+    Pose pose;
+    if (Result<void> sampled =
+            sample(scene, *index, options.time + round * number / options.frames, pose, Ends::Loop);
+        !sampled)
         return sampled;
+    std::vector<NodeWorld> worlds;
+    worldsOf(scene, pose, worlds);
+    follow(worlds, camera);
     return applyPose(scene, pose);
 }
 

@@ -16,6 +16,10 @@ franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const
 /// Moves the scene to the options' animation and time, if there is one. Fails with "viewer.animation".
 franken::Result<void> applyAnimation(franken::Scene& scene, const Options& options);
 
+/// Gives the scene and the camera the pose of that picture, counted from 0, of Options::frames.
+franken::Result<void> applyFrame(franken::Scene& scene, franken::Camera& camera, const Options& options,
+                                 int number);
+
 /// Moves the scene's vertices by the options' height map, if there is one. Fails with "viewer.heights" where
 /// it cannot be read, and as decodeImage() and displace() do.
 franken::Result<void> applyHeights(franken::Scene& scene, const Options& options);

@@ -6,6 +6,7 @@
 
 #include <glm/geometric.hpp>
 
+#include "franken/pose.h"
 #include "gltf_file.h"
 #include "support/shell.h"
 
@@ -120,6 +121,52 @@ TEST(GltfNode, TheSkinIsAppliedAtRest) {
     ASSERT_EQ(scene.skins.size(), 1u);
     EXPECT_EQ(scene.instances[0].skin, 0);
     EXPECT_EQ(scene.skins[0].inverseBinds[1][3][0], -1);
+}
+
+TEST(GltfNode, InstancesHaveAPlaceEach) {
+    GltfFile file;
+    file.setTriangle();
+    const int moves = file.floats("VEC3", {1, 0, 0, 0, 2, 0});
+    const int turns =
+        file.accessor("VEC4", GltfFile::kByte, std::vector<std::int8_t>{0, 0, 0, 127, 0, 127, 0, 0});
+    file.json["accessors"][static_cast<std::size_t>(turns)]["normalized"] = true;
+    const int scales = file.floats("VEC3", {1, 1, 1, -2, 2, 2});
+    file.json["nodes"] = {{{"mesh", 0}, {"translation", {0, 0, 5}}}};
+    const Json attributes = {{"TRANSLATION", moves}, {"ROTATION", turns}, {"SCALE", scales}, {"_ID", 0}};
+    file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = attributes;
+    file.json["scenes"][0]["nodes"] = {0};
+    Scene scene = file.loaded();
+    ASSERT_EQ(scene.instances.size(), 2u);
+    EXPECT_EQ(scene.meshes.size(), 1u);
+    expectNear(glm::vec3(scene.instances[0].world[3]), {1, 0, 5});
+    expectNear(placed(glm::mat4(scene.instances[1].world), {1, 0, 0}), {2, 2, 5});
+    EXPECT_TRUE(scene.instances[1].mirrored);
+    franken::Pose pose = franken::restPose(scene);
+    pose.nodes[0].local.translation = {0, 0, 7};
+    ASSERT_TRUE(franken::applyPose(scene, pose));
+    expectNear(glm::vec3(scene.instances[1].world[3]), {0, 2, 7});
+    EXPECT_TRUE(file.warnings.empty());
+}
+
+TEST(GltfNode, MoreThanFourJointsCount) {
+    GltfFile file;
+    const int positions = file.floats("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0});
+    const int joints = file.accessor("VEC4", GltfFile::kUByte, std::vector<std::uint8_t>(12, 0));
+    const int others = file.accessor("VEC4", GltfFile::kUByte, std::vector<std::uint8_t>(12, 1));
+    const int weights = file.floats("VEC4", std::vector<float>(12, 0.5f));
+    file.setPrimitive({{"attributes",
+                        {{"POSITION", positions},
+                         {"JOINTS_0", joints},
+                         {"WEIGHTS_0", weights},
+                         {"JOINTS_1", others},
+                         {"WEIGHTS_1", weights}}}});
+    file.json["skins"] = {{{"joints", {1, 2}}}};
+    file.json["nodes"] = {{{"mesh", 0}, {"skin", 0}}, Json::object(), {{"translation", {2, 0, 0}}}};
+    file.json["scenes"][0]["nodes"] = {0, 1, 2};
+    const Scene scene = file.loaded();
+    expectNear(scene.meshes[0].primitives[0].positions[0], {1, 0, 0});
+    EXPECT_EQ(scene.meshes[0].primitives[0].deformation->influencesPerVertex, 8u);
+    EXPECT_TRUE(file.warnings.empty());
 }
 
 TEST(GltfNode, Cameras) {

@@ -326,6 +326,15 @@ TEST_F(Viewer, SaysWhatAPixelShows) {
     EXPECT_EQ(run(model + "--pick 1,1 --turntable 3").code, 2);
 }
 
+TEST_F(Viewer, NumbersTheFramesOfAnAnimation) {
+    const std::string model = std::string(kUrn) + " --size 40x30 --frames 2 -o frame_%03d.png ";
+    EXPECT_EQ(run(model).code, 2) << "frames are of an animation";
+    const Outcome outcome = run(model + "--animation 0");
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("no animations"), std::string::npos) << outcome.err;
+    EXPECT_EQ(run(model + "--animation 0 --turntable 2").code, 2);
+}
+
 TEST_F(Viewer, DrawsFromAllAround) {
     const std::string model = std::string(kUrn) + " --size 40x30 ";
     ASSERT_EQ(run(model + "-o plain.png").code, 0);

@@ -21,7 +21,16 @@
 namespace franken::test {
 namespace {
 
-/// Two variants, an opaque and a blended ball, textured.
+void makeMorph(Primitive& primitive) {
+    Deformation deformation{.bind = {.positions = primitive.positions,
+                                     .normals = primitive.normals,
+                                     .tangents = primitive.tangents},
+                            .targets = {{.positions = primitive.positions}}};
+    measure(deformation);
+    primitive.deformation = std::make_shared<const Deformation>(std::move(deformation));
+}
+
+/// Two variants, an opaque and a blended ball, textured; the latter swells.
 Scene balls() {
     SceneBuilder builder;
     Material plain, glass, night;
@@ -35,8 +44,12 @@ Scene balls() {
     builder.scene.meshes[0].primitives[0].variantMaterials = {builder.addMaterial(night)};
     builder.scene.nodes = {Node{.rest = {.local = {.translation = {1, 0, 0}}}}};
     builder.scene.instances[1].nodeIndex = 0;
+    makeMorph(builder.scene.meshes[1].primitives[0]);
+    builder.scene.nodes[0].rest.weights = {0};
     builder.scene.animations = {
-        {.samplers = {{.times = {0, 1}, .values = {1, 0, 0, 2, 0, 0}}}, .channels = {{}}, .duration = 1}};
+        {.samplers = {{.times = {0, 1}, .values = {1, 0, 0, 2, 0, 0}}, {.times = {0, 1}, .values = {0, 1}}},
+         .channels = {{}, {.sampler = 1, .path = AnimationChannel::Path::Weights}},
+         .duration = 1}};
     return builder.scene;
 }
 
@@ -125,6 +138,7 @@ TEST(ChangingScene, AFrameAllocatesNothingAndCompilesNothing) {
     EXPECT_EQ(countCalls("CompileShader") + countCalls("LinkProgram"), 0u);
     EXPECT_GE(countCalls("Uniform4fv"), 3000u) << "the effect's values among them";
     EXPECT_EQ(countCalls("BufferData") + countCalls("TexImage2D"), 0u);
+    EXPECT_GE(countCalls("BufferSubData"), 600u) << "where the place is visible";
 
     Changing quiet(nullGl()); // The recorder allocates.
     for (int frame = 0; frame < 6; ++frame)

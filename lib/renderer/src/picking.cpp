@@ -28,7 +28,7 @@ Result<void> Models::setPickTree(ModelId id, std::optional<PickTree> tree) {
         return unknownModel();
     const Scene& scene = model->outline.scene;
     const PickTree::Counts expected{tree ? tree->counts().triangles : 0, model->outline.nodes.size(),
-                                    scene.materials.size(), scene.variants.size()};
+                                    scene.materials.size(), scene.variants.size(), scene.nodes.size()};
     if (tree && tree->counts() != expected)
         return Error{"renderer.tree", "", "the tree is that of another scene",
                      "pass PickTree::of() of the scene that add() got"};
@@ -46,8 +46,12 @@ Result<std::optional<PlaceHit>> Models::pick(const Ray& given) const {
         const Result<Ray> local = inScene(rest, place.world);
         if (!local)
             return {};
-        const Result<std::optional<Hit>> hit = model.pickTree->pick(
-            *local, {.variant = place.variant, .materials = model.outline.scene.materials});
+        const bool posed = !place.nodes.empty();
+        const Result<std::optional<Hit>> hit =
+            model.pickTree->pick(*local, {.variant = place.variant,
+                                          .materials = model.outline.scene.materials,
+                                          .pose = posed ? &place.pose : nullptr,
+                                          .nodes = posed ? &place.nodes : nullptr});
         if (!hit)
             return hit.error();
         if (!*hit)

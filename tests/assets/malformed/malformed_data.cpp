@@ -203,6 +203,33 @@ std::vector<MalformedFile> links() {
               file.json["meshes"][0]["primitives"][0]["attributes"]["JOINTS_0"] = joints;
           },
           "gltf.index-range", "/attributes/JOINTS_0"},
+         {"second-joints-past-the-skin",
+          [](GltfBuilder& file) {
+              auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+              attributes["JOINTS_1"] =
+                  file.accessor("VEC4", GltfBuilder::kUByte, std::vector<unsigned char>(12, 200));
+              attributes["WEIGHTS_1"] = attributes["WEIGHTS_0"];
+          },
+          "gltf.index-range", "/attributes/JOINTS_1"},
+         {"second-joints-without-weights",
+          [](GltfBuilder& file) {
+              auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+              attributes["JOINTS_1"] = attributes["JOINTS_0"];
+          },
+          "", ""},
+         {"instances-of-vertices-of-another-count",
+          [](GltfBuilder& file) {
+              file.json["nodes"][0].erase("skin");
+              file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+                  {"TRANSLATION", 0}, {"SCALE", file.floats("VEC3", {1, 1, 1})}};
+          },
+          "gltf.type", "/EXT_mesh_gpu_instancing/attributes/SCALE"},
+         {"instances-past-the-accessors",
+          [](GltfBuilder& file) {
+              file.json["nodes"][0].erase("skin");
+              file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"SCALE", 999}};
+          },
+          "gltf.index-range", "/EXT_mesh_gpu_instancing/attributes/SCALE"},
          {"skinned-without-joints",
           [](GltfBuilder& file) { file.json["meshes"][0]["primitives"][0]["attributes"].erase("JOINTS_0"); },
           "", ""},

@@ -23,7 +23,9 @@ enum class Normals {
 ///   set by its matrix;
 /// - tangents, where the material or that of a variant has a normal texture (the first one counts: a vertex
 ///   has one tangent), its texture coordinates are there, and tangents are not: computeTangents();
-/// - bounds, always.
+/// - bounds, always;
+/// - Deformation::bind, where a primitive has a deformation without it: its arrays as they are before that
+///   moves them. The scene comes out in its rest pose then.
 ///
 /// The result passes check(scene). A primitive needs only positions; a scene still needs an instance for each
 /// mesh that is to be seen. Costs a few passes over all vertices, and computeTangents(). Fails with

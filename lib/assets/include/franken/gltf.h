@@ -59,10 +59,10 @@ struct LoadOptions {
 /// Points, lines and optional extensions that are not known are left out, each with one warning.
 /// Animations, skins and morph targets come along (pose.h, deform.h).
 ///
-/// Known extensions: KHR_animation_pointer (of nodes), KHR_lights_punctual, KHR_materials_emissive_strength,
-/// KHR_materials_unlit, KHR_materials_variants, KHR_mesh_quantization, KHR_node_visibility,
-/// KHR_texture_transform. Another one that the file requires is an error that names it, unless a picture at
-/// rest is right without.
+/// Known extensions: EXT_mesh_gpu_instancing, KHR_animation_pointer (of nodes), KHR_lights_punctual,
+/// KHR_materials_emissive_strength, KHR_materials_unlit, KHR_materials_variants, KHR_mesh_quantization,
+/// KHR_node_visibility, KHR_texture_transform. Another one that the file requires is an error that names it,
+/// unless a picture at rest is right without.
 ///
 /// The file may be malicious. Its container, JSON, names and types are checked before a parser sees them, the
 /// parser's result is checked again, and image headers are read before images are decoded. Accessors' `min`

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "franken/api.h"
+#include "franken/pose.h"
 #include "franken/result.h"
 #include "franken/scene.h"
 
@@ -39,6 +40,10 @@ struct Hit {
 struct PickOptions {
     int variant = kNone; ///< Index into Scene::variants, or kNone: the materials without a variant.
     std::span<const Material> materials = {}; ///< In place of all of the scene's; empty: the scene's.
+    /// Where things are in place of where the scene had them when the tree was made, and what worldsOf() says
+    /// of that pose: both, or neither.
+    const Pose* pose = nullptr;
+    const std::vector<NodeWorld>* nodes = nullptr;
 };
 
 /// A scene in a form in which rays find triangles fast: a tree of boxes for each mesh (split at the median of
@@ -51,7 +56,9 @@ struct PickOptions {
 /// between them (S. Woop, C. Benthin, I. Wald, "Watertight Ray/Triangle Intersection", 2013).
 ///
 /// Making one costs O(n log n) for n triangles of all meshes, and some 100 bytes for each; copies share
-/// them. A pick costs O(log n) and allocates nothing. Safe on any thread, also for several picks at once.
+/// them. A pick costs O(log n) and allocates nothing. With a pose, it looks at each instance, and where a
+/// skin or a morph moves vertices near the ray, it moves and tests all of that primitive, which allocates.
+/// Safe on any thread, also for several picks at once.
 class PickTree {
 public:
     /// Does not need the scene afterwards. Fails as check(scene).
@@ -64,7 +71,7 @@ public:
     /// What the scene had: whether a tree is that of a scene.
     struct Counts {
         std::size_t triangles = 0; ///< Of all meshes, each counted once.
-        std::size_t instances = 0, materials = 0, variants = 0;
+        std::size_t instances = 0, materials = 0, variants = 0, nodes = 0;
         bool operator==(const Counts&) const = default;
     };
     const Counts& counts() const;

@@ -7,14 +7,10 @@
 namespace franken::gltf {
 namespace {
 
-constexpr std::array<std::string_view, 8> kKnown{"KHR_animation_pointer",
-                                                 "KHR_lights_punctual",
-                                                 "KHR_materials_emissive_strength",
-                                                 "KHR_materials_unlit",
-                                                 "KHR_materials_variants",
-                                                 "KHR_mesh_quantization",
-                                                 "KHR_node_visibility",
-                                                 "KHR_texture_transform"};
+constexpr std::array<std::string_view, 9> kKnown{
+    "EXT_mesh_gpu_instancing",         "KHR_animation_pointer", "KHR_lights_punctual",
+    "KHR_materials_emissive_strength", "KHR_materials_unlit",   "KHR_materials_variants",
+    "KHR_mesh_quantization",           "KHR_node_visibility",   "KHR_texture_transform"};
 
 // What a picture of the file at rest can do without, even where the file says that it requires it: words
 // about the model, what moves, sounds or answers, other looks to choose from, and lobes on top of a surface

@@ -10,6 +10,7 @@
 #include "animation/node_world.h"
 #include "finite.h"
 #include "gltf/accessor.h"
+#include "gltf/instancing.h"
 #include "gltf/mesh.h"
 #include "gltf/node.h"
 #include "gltf/variants.h"
@@ -175,15 +176,20 @@ bool Walker::addMesh(int index) {
 bool Walker::addInstance(int index, const MeshUse& use, int mesh, const Skin* skin) {
     const tinygltf::Node& node = m_source.model.nodes[at(index)];
     const NodeWorld& world = m_worlds[at(index)];
-    Instance& instance =
-        m_scene.instances.emplace_back(Instance{.name = node.name,
-                                                .mesh = mesh,
-                                                .world = world.matrix,
-                                                .mirrored = glm::determinant(glm::dmat3(world.matrix)) < 0.0,
-                                                .visible = world.visible,
-                                                .nodeIndex = m_places[at(index)]});
+    std::vector<glm::dmat4> offsets;
+    if (!readOffsets(m_source, index, offsets))
+        return false;
+    for (const glm::dmat4& offset : offsets)
+        m_scene.instances.push_back({.name = node.name,
+                                     .mesh = mesh,
+                                     .world = world.matrix * offset,
+                                     .mirrored = glm::determinant(glm::dmat3(world.matrix * offset)) < 0.0,
+                                     .visible = world.visible,
+                                     .nodeIndex = m_places[at(index)],
+                                     .offset = offset});
     if (!deforms(m_scene.meshes[at(mesh)]))
         return true;
+    Instance& instance = m_scene.instances.back();
     Palette palette;
     if (skin != nullptr) {
         paletteOf(*skin, m_worlds, palette);

@@ -128,7 +128,9 @@ constexpr Property kSkin[]{
     {"name", Kind::Name}, required("joints", Kind::Index, kMany), {"inverseBindMatrices", Kind::Index}};
 constexpr Property kNodeLight[]{required("light", Kind::Index)};
 constexpr Property kVisibility[]{{"visible", Kind::Boolean}};
-constexpr Property kNodeExtensions[]{{"KHR_lights_punctual", Kind::Object, kOne, kNodeLight},
+constexpr Property kInstancing[]{required("attributes", Kind::Attributes)};
+constexpr Property kNodeExtensions[]{{"EXT_mesh_gpu_instancing", Kind::Object, kOne, kInstancing},
+                                     {"KHR_lights_punctual", Kind::Object, kOne, kNodeLight},
                                      {"KHR_node_visibility", Kind::Object, kOne, kVisibility}};
 constexpr Property kNode[]{{"name", Kind::Name},
                            {"camera", Kind::Index},

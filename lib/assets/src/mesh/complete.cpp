@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/complete.h"
 
+#include "franken/pose.h"
 #include "franken/scene_check.h"
 #include "franken/tangents.h"
 #include "mesh/vertices.h"
@@ -71,6 +72,18 @@ const TextureRef* normalTextureOf(const Scene& scene, const Primitive& primitive
     return texture;
 }
 
+/// Deformations that say what moves the vertices, and leave it to the arrays what they are before.
+std::vector<const Primitive*> giveAnyBinds(Scene& scene) {
+    std::vector<const Primitive*> given;
+    eachPrimitive(scene, [&](Primitive& primitive) {
+        if (!primitive.deformation || !primitive.deformation->bind.positions.empty())
+            return;
+        bind(primitive);
+        given.push_back(&primitive);
+    });
+    return given;
+}
+
 void turnToNormals(Primitive& primitive) {
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         std::uint32_t* const corner = primitive.indices.data() + i;
@@ -90,6 +103,7 @@ Result<Scene> complete(Scene scene, Normals normals) {
     giveMaterials(scene);
     giveIndices(scene);
     const std::vector<const Primitive*> withoutNormals = giveAnyNormals(scene);
+    const std::vector<const Primitive*> withoutBinds = giveAnyBinds(scene);
     if (Result<void> checked = check(scene); !checked)
         return checked.error();
     eachPrimitive(scene, [&](Primitive& primitive) {
@@ -103,9 +117,14 @@ Result<Scene> complete(Scene scene, Normals normals) {
         if (const TextureRef* const normalTexture = normalTextureOf(scene, primitive))
             fillTangents(primitive, *normalTexture);
         primitive.bounds = boundsOf(primitive.positions);
+        if (std::find(withoutBinds.begin(), withoutBinds.end(), &primitive) != withoutBinds.end())
+            bind(primitive);
     });
     for (Instance& instance : scene.instances)
         instance.mirrored = glm::determinant(glm::dmat3(instance.world)) < 0;
+    if (!withoutBinds.empty())
+        if (Result<void> posed = applyPose(scene, restPose(scene)); !posed)
+            return posed.error();
     return scene;
 }
 

@@ -192,14 +192,14 @@ public:
 
     /// Takes the tree of the model's scene, by which pick() finds it, or none. Costs nothing; outlasts
     /// eviction and loss of the context. Fails with "renderer.model" for an unknown model, and with
-    /// "renderer.tree" for a tree of a scene with other counts of instances, materials or variants.
+    /// "renderer.tree" for a tree of a scene with other counts of instances, materials, variants or nodes.
     Result<void> setPickTree(ModelId model, std::optional<PickTree> tree);
     /// What the ray first meets of the models that are shown and have a tree, at all of their places that are
     /// visible, in their variants and with their materials as they are now: rayThrough() makes the ray of a
-    /// point of the picture. It follows setWorld(), but neither setPose() nor an effect that moves vertices:
-    /// what they move is met where the tree's scene has it, and what a pose hides or shows counts as in that
-    /// scene. Costs a test of a box for each such place, and O(log n) for a place that is near the ray;
-    /// allocates nothing. A place that its matrix presses flat is not met. Fails as PickTree::pick().
+    /// point of the picture. It follows setWorld() and setPose(), but not an effect that moves vertices: what
+    /// that moves is met where the tree's scene has it. Costs a test of a box for each such place, and O(log
+    /// n) for a place that is near the ray; allocates nothing. A place in a pose costs more (PickTree). A
+    /// place that its matrix presses flat is not met. Fails as PickTree::pick().
     Result<std::optional<PlaceHit>> pick(const Ray& ray) const;
 
     /// Shows a sky behind the scene, or none (null). It lights nothing; Lighting does. Fails as an upload,
