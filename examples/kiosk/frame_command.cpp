@@ -2,7 +2,7 @@
 #include "kiosk/frame_command.h"
 
 #include "franken/png.h"
-#include "kiosk/report/statistics.h"
+#include "kiosk/machine/monitor.h"
 #include "kiosk/screen.h"
 #include "kiosk/show/stage.h"
 
@@ -63,6 +63,8 @@ Result<void> drawFrame(const DrawFrame& command, const Config& config, const fra
     if (!gl)
         return gl.error();
     Stage stage(*gl, (*surface)->driver(), {}, config, log);
+    stage.renderer().memory().setBudget(
+        memoryBudget(config.content.memoryMebibytes, Machine(command.options.root)));
     franken::DrawTarget target = targetOf(**surface);
     if (options.screen.rotation)
         target.rotation = *options.screen.rotation;
@@ -76,8 +78,12 @@ Result<void> drawFrame(const DrawFrame& command, const Config& config, const fra
     stage.shown()->view.advance(command.seconds);
     if (config.show.caption)
         stage.labels().setCaption(stage.shown()->caption);
-    if (config.show.statistics)
-        stage.labels().setStatistics(toLines(Statistics()));
+    if (config.show.statistics) {
+        Statistics statistics = statisticsOf(Machine(command.options.root));
+        statistics.models = 1;
+        stage.report(statistics);
+        stage.labels().setStatistics(toLines(statistics));
+    }
     if (Result<void> drawn = stage.draw(0, false); !drawn)
         return drawn;
     const Result<franken::Image> picture = stage.renderer().readPixels(stage.target());

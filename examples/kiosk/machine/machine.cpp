@@ -80,8 +80,8 @@ std::optional<double> Machine::memoryMebibytes(const std::string& name) const {
     return {};
 }
 
-std::optional<double> Machine::residentMebibytes() const {
-    std::istringstream lines(text("/proc/self/status").value_or(""));
+std::optional<double> residentMebibytes() {
+    std::istringstream lines(Machine().text("/proc/self/status").value_or(""));
     for (std::string each; std::getline(lines, each);)
         if (each.starts_with("VmRSS:"))
             if (const auto kibibytes = numberOf(each.substr(6), 10))

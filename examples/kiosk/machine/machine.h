@@ -22,8 +22,6 @@ public:
     std::optional<unsigned> throttled() const;
     /// A line of /proc/meminfo: "CmaTotal", "MemAvailable".
     std::optional<double> memoryMebibytes(const std::string& name) const;
-    /// Of this process.
-    std::optional<double> residentMebibytes() const;
     Strain strain() const;
 
     /// The first line of a file below the root, without its end; nothing where it cannot be read.
@@ -36,6 +34,9 @@ public:
 private:
     std::filesystem::path m_root;
 };
+
+/// Of this process, whatever the root.
+std::optional<double> residentMebibytes();
 
 /// GPU memory for models in bytes: as configured (MiB), or half of the contiguous memory, or 512 MiB.
 std::size_t memoryBudget(int mebibytes, const Machine& machine);

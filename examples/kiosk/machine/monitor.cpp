@@ -48,12 +48,17 @@ void Monitor::look() {
     m_timer->arm(now() + kLook);
 }
 
-Statistics Monitor::statistics() const {
+Statistics statisticsOf(const Machine& machine) {
     Statistics statistics;
-    statistics.residentBytes = bytesOf(m_machine.residentMebibytes());
-    statistics.freeContiguousBytes = bytesOf(m_machine.strain().freeMebibytes);
-    statistics.celsius = m_machine.celsius();
-    statistics.throttled = m_machine.throttled();
+    statistics.residentBytes = bytesOf(residentMebibytes());
+    statistics.freeContiguousBytes = bytesOf(machine.strain().freeMebibytes);
+    statistics.celsius = machine.celsius();
+    statistics.throttled = machine.throttled();
+    return statistics;
+}
+
+Statistics Monitor::statistics() const {
+    Statistics statistics = statisticsOf(m_machine);
     statistics.reliefStep = m_relief.step();
     statistics.startSeconds = m_startSeconds;
     m_handlers.report(statistics);

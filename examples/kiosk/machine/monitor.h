@@ -13,6 +13,9 @@
 
 namespace kiosk {
 
+/// What the machine knows; all else is left out.
+Statistics statisticsOf(const Machine& machine);
+
 /// Looks at the machine every few seconds: lowers what the kiosk does where it suffers, and writes the
 /// statistics to their file.
 class Monitor {

@@ -259,13 +259,8 @@ void Show::report(Statistics& statistics) const {
     statistics.models = m_content->playlist().models().size();
     statistics.modelsBroken = m_content->playlist().broken().size();
     statistics.modelsShown = m_modelsShown;
-    if (!m_stage)
-        return;
-    franken::Renderer& renderer = m_stage->renderer();
-    statistics.compiles = renderer.programCounters().compiles;
-    statistics.fallbacks = renderer.fallbacks().size();
-    statistics.gpuBytes = static_cast<double>(renderer.memory().used());
-    statistics.gpuBudgetBytes = static_cast<double>(renderer.memory().budget());
+    if (m_stage)
+        m_stage->report(statistics);
 }
 
 } // namespace kiosk

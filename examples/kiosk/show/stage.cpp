@@ -240,9 +240,19 @@ void Stage::keepManifest() {
             m_unwritten.push_back(use);
     if (m_manifest.empty() || m_unwritten.empty())
         return;
-    if (const Result<void> kept = franken::appendToManifest(m_manifest, m_unwritten); !kept)
+    const Result<void> kept = franken::appendToManifest(m_manifest, m_unwritten);
+    if (!kept && !m_isFailing)
         m_log(LogLevel::Error, "the list of programs is not kept: " + franken::toString(kept.error()));
-    m_unwritten.clear();
+    m_isFailing = !kept;
+    if (kept)
+        m_unwritten.clear();
+}
+
+void Stage::report(Statistics& statistics) {
+    statistics.compiles = m_renderer.programCounters().compiles;
+    statistics.fallbacks = m_renderer.fallbacks().size();
+    statistics.gpuBytes = static_cast<double>(m_renderer.memory().used());
+    statistics.gpuBudgetBytes = static_cast<double>(m_renderer.memory().budget());
 }
 
 } // namespace kiosk

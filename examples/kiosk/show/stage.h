@@ -4,6 +4,7 @@
 #include "franken/renderer.h"
 #include "kiosk/config/config.h"
 #include "kiosk/content/loader.h"
+#include "kiosk/report/statistics.h"
 #include "kiosk/show/canvas.h"
 #include "kiosk/show/labels.h"
 #include "kiosk/show/lighting.h"
@@ -72,8 +73,12 @@ public:
     /// `shift`: of texts.
     franken::Result<void> draw(double cover, bool isLoading, Shift shift = {});
 
-    /// Adds the programs that were needed to the manifest, if there are new ones.
+    /// Adds the programs that were needed to the manifest, if there are new ones. Where that fails, they are
+    /// added the next time.
     void keepManifest();
+
+    /// Adds what the renderer knows.
+    void report(Statistics& statistics);
 
     Labels& labels() { return m_labels; }
     franken::Renderer& renderer() { return m_renderer; }
@@ -102,6 +107,7 @@ private:
     std::vector<franken::ProgramUse> m_warmed, m_unwarmed, m_unwritten;
     std::size_t m_listed = 0; ///< Programs of earlier runs.
     bool m_isLoading = false;
+    bool m_isFailing = false; ///< The last write did: it is reported once.
     franken::PictureId m_sheet{};
 };
 
