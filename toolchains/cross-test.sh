@@ -22,7 +22,7 @@ done
 skip() { echo "skipped: $1"; exit 77; }
 
 for program in clang++ ld.lld "$emulator"; do
-    command -v "$program" >/dev/null || skip "$program is missing: toolchains/install-packages.sh cross"
+    command -v "$program" >/dev/null || skip "$program is missing: toolchains/install-packages.sh test"
 done
 sysroot=$("$root/toolchains/sysroot.sh" "$arch" "$suite") || skip "no sysroot of Debian $suite for $arch: its packages cannot be had"
 

@@ -1,14 +1,13 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# install-packages.sh build|test|cross: installs what is missing of debian-packages.txt. Each
-# includes those before it. Where it has no right to install, it says what is missing and exits with 1.
+# install-packages.sh build|test: installs what is missing of debian-packages.txt. "test" includes "build". Where it
+# has no right to install, it says what is missing and exits with 1.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")" && pwd -P)
 case ${1:-} in
 build) wanted='build' ;;
 test) wanted='build|test' ;;
-cross) wanted='build|test|cross' ;;
-*) echo "usage: install-packages.sh build|test|cross" >&2; exit 2 ;;
+*) echo "usage: install-packages.sh build|test" >&2; exit 2 ;;
 esac
 
 missing=

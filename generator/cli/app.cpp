@@ -3,6 +3,7 @@
 
 #include "franken/command_line/mistake.h"
 #include "franken/generator/budget.h"
+#include "franken/generator/version.h"
 #include "gpu.h"
 
 #include <algorithm>
@@ -201,10 +202,17 @@ void addMeta(CLI::App& app, std::string& helpTopic, std::string& shell, std::str
     manual.add_option("PAGE", page, "A file in roff with lines @SYNOPSIS@ and @OPTIONS@")->required();
 }
 
+// The interface is compatible within a minor version while the major one is 0.
+std::string versionText() {
+    const std::string version = FRANKEN_VERSION;
+    return "frankenshader " + version + "\ninterface " + version.substr(0, version.rfind('.')) + ", keys " +
+           std::to_string(kSchemaVersion) + ", texts " + std::to_string(kTextVersion);
+}
+
 } // namespace
 
 App::App() : app(kAbout, "frankenshader") {
-    app.set_version_flag("-V,--version", "frankenshader " FRANKEN_VERSION);
+    app.set_version_flag("-V,--version", versionText());
     app.require_subcommand(0, 1);
     app.footer(kExitCodes);
     addList(app, list);

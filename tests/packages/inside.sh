@@ -60,3 +60,4 @@ g++ -std=c++20 text.cpp -o text $(pkg-config --cflags --libs frankenshader-gener
 # shellcheck disable=SC2046
 g++ -std=c++20 text.cpp -o text -static-libstdc++ $(pkg-config --cflags frankenshader-generator) -l:libfranken_generator.a -l:libfranken_base.a
 ./text
+echo "programs run, examples built"

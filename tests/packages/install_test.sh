@@ -21,7 +21,7 @@ mkdir "$root"
 tar -C "$root" -xf "$tarball"
 mount -t proc proc "$root/proc" 2>/dev/null || true
 inside() { DEBIAN_FRONTEND=noninteractive chroot "$root" "$@"; }
-apt() { inside apt-get -qq -y --no-download "$@" >"$work/log" 2>&1 || { cat "$work/log"; fail "apt-get $*"; }; }
+apt() { inside apt-get -qq -y "$@" >"$work/log" 2>&1 || { cat "$work/log"; fail "apt-get $*"; }; }
 
 # All files but the package manager's own records, with their kinds, sizes and times of data.
 snapshot() {
@@ -34,7 +34,7 @@ step "install"
 mkdir "$root/debs"
 cp -- "$packages"/*.deb "$root/debs"
 snapshot >"$work/before"
-apt install --no-install-recommends $(cd "$root" && ls debs/*.deb | sed 's/^/.\//') libgl1-mesa-dri libegl-mesa0 libosmesa6
+apt install --no-install-recommends $(cd "$root" && ls -d debs/*.deb | sed 's/^/\//') libgl1-mesa-dri libegl-mesa0 libosmesa6 libstb-dev
 
 step "use, as an ordinary user"
 user=$root/home/visitor
@@ -44,7 +44,7 @@ mkdir -p "$user"
 GALLIUM_DRIVER=softpipe MESA_SHADER_CACHE_DISABLE=true "$bin/viewer" "$user/urn.glb" -o "$user/urn.png" --size 160x120
 cp -r "$here/shaders" "$here/inside.sh" "$user"
 chown -R 1000:1000 "$user"
-inside setpriv --reuid 1000 --regid 1000 --clear-groups /home/visitor/inside.sh /home/visitor || fail "as an ordinary user"
+inside env -i PATH=/usr/bin:/bin setpriv --reuid 1000 --regid 1000 --clear-groups /home/visitor/inside.sh /home/visitor || fail "as an ordinary user"
 
 step "upgrade"
 for package in "$root"/debs/*.deb; do
@@ -55,7 +55,7 @@ for package in "$root"/debs/*.deb; do
     rm -r "$work/next"
 done
 names=$(for package in "$packages"/*.deb; do dpkg-deb -f "$package" Package; done)
-apt install --no-install-recommends $(cd "$root" && ls debs/*.deb | sed 's/^/.\//')
+apt install --no-install-recommends $(cd "$root" && ls -d debs/*.deb | sed 's/^/\//')
 for name in $names; do
     inside dpkg-query -W -f '${Package} ${Version}\n' "$name" | grep '\.1$' || fail "$name is not upgraded"
 done
@@ -64,7 +64,7 @@ inside frankenshader --version
 step "remove"
 rm -r "$user"
 # shellcheck disable=SC2086
-apt purge --autoremove $names libgl1-mesa-dri libegl-mesa0 libosmesa6
+apt purge --autoremove $names libgl1-mesa-dri libegl-mesa0 libosmesa6 libstb-dev
 snapshot >"$work/after"
 diff "$work/before" "$work/after" >"$work/left" || { cat "$work/left"; fail "something is left, or gone"; }
 echo "nothing is left of $(echo $names)"

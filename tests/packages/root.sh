@@ -7,8 +7,8 @@ set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")" && pwd -P)
 suite=$(. /etc/os-release && echo "$VERSION_CODENAME")
 tools=cmake,g++,libegl-dev,ninja-build,pkg-config
-# Mesa, which they recommend, draws.
-drivers='libgl1-mesa-dri libegl-mesa0 libosmesa6'
+# Mesa, which they recommend, draws; the examples write PNG files with stb.
+drivers='libgl1-mesa-dri libegl-mesa0 libosmesa6 libstb-dev'
 
 skip() { echo "skipped: $1"; exit 77; }
 
@@ -19,7 +19,7 @@ if [ -f "$tarball" ]; then
     exit 0
 fi
 [ "$(id -u)" = 0 ] || skip "only root may make a bare system"
-command -v debootstrap >/dev/null || skip "debootstrap is missing: toolchains/install-packages.sh packages"
+command -v debootstrap >/dev/null || skip "debootstrap is missing: toolchains/install-packages.sh test"
 mkdir -p "$(dirname -- "$tarball")"
 work=$(mktemp -d "$tarball.XXXXXX")
 trap 'rm -rf -- "$work"' EXIT
