@@ -34,6 +34,8 @@ step "install"
 mkdir "$root/debs"
 cp -- "$packages"/*.deb "$root/debs"
 snapshot >"$work/before"
+installed() { inside dpkg-query -W -f '${Package}\n' | sort; }
+installed >"$work/packages"
 apt install --no-install-recommends $(cd "$root" && ls -d debs/*.deb | sed 's/^/\//') libgl1-mesa-dri libegl-mesa0 libosmesa6 libstb-dev
 
 step "use, as an ordinary user"
@@ -51,7 +53,7 @@ for package in "$root"/debs/*.deb; do
     dpkg-deb -R "$package" "$work/next"
     sed -i -E 's/^(Version: .*)$/\1.1/; s/(\(= [^)]*)\)/\1.1)/g' "$work/next/DEBIAN/control"
     sed -i -E 's/(\(= [^)]*)\)/\1.1)/' "$work/next/DEBIAN/shlibs" 2>/dev/null || true
-    dpkg-deb -b --root-owner-group "$work/next" "$package" >/dev/null
+    dpkg-deb -b -Zgzip -z1 --root-owner-group "$work/next" "$package" >/dev/null
     rm -r "$work/next"
 done
 names=$(for package in "$packages"/*.deb; do dpkg-deb -f "$package" Package; done)
@@ -63,8 +65,9 @@ inside frankenshader --version
 
 step "remove"
 rm -r "$user"
-# shellcheck disable=SC2086
-apt purge --autoremove $names libgl1-mesa-dri libegl-mesa0 libosmesa6 libstb-dev
+# Them, and what came with them.
+# shellcheck disable=SC2046
+apt purge $(installed | comm -13 "$work/packages" -)
 snapshot >"$work/after"
 diff "$work/before" "$work/after" >"$work/left" || { cat "$work/left"; fail "something is left, or gone"; }
 echo "nothing is left of $(echo $names)"
