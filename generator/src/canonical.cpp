@@ -15,10 +15,6 @@
 namespace franken {
 namespace {
 
-using Outlines = std::pair<Outline, Outline>;
-
-Outlines outlines(const Permutation& p) { return {outline(p, Stage::Vertex), outline(p, Stage::Fragment)}; }
-
 // Resets, in the order of the table and until nothing changes, every choice that leaves the recipe's outcome
 // alone. `drop` hears of each.
 template<typename Drop>

@@ -6,17 +6,6 @@
 namespace franken {
 namespace {
 
-bool reads(const Permutation& p, const Needs& n, UvStream stream) {
-    const bool packedOcclusion = n.occlusion && p.occlusion == Occlusion::Packed;
-    const bool textures = p.metallicRoughness != MetallicRoughness::Factors;
-    const bool metalRough = (textures && (n.metallic || n.roughness)) || packedOcclusion;
-    return (n.base && p.baseColorTexture && p.baseColorUv == stream) ||
-           (metalRough && p.metallicRoughnessUv == stream) ||
-           (n.normal && n.normalMap && p.normalUv == stream) ||
-           (n.occlusion && p.occlusion == Occlusion::Texture && p.occlusionUv == stream) ||
-           (n.emissive && p.emissive == Emissive::Texture && p.emissiveUv == stream);
-}
-
 bool asks(const Permutation& p, unsigned traits) { return (p.effect.traits & traits) != 0; }
 
 bool readsNormal(const Permutation& p, const Needs& n) {
@@ -95,8 +84,6 @@ Needs needsOf(const Permutation& p) {
     n.decode = textures && p.decode != Decode::None && (n.material || linearOverlay);
     const bool numbers = n.material && !n.shaded && p.view != View::BaseColor;
     n.encode = p.output != Output::Linear && p.program != Program::Overlay && !numbers;
-    n.uv0 = reads(p, n, UvStream::Uv0);
-    n.uv1 = reads(p, n, UvStream::Uv1);
     return n;
 }
 

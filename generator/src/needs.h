@@ -37,11 +37,12 @@ struct Needs {
     bool emissive;
     bool decode;   ///< Textures are brought to linear light.
     bool encode;   ///< The output is encoded.
-    bool uv0, uv1; ///< Streams that something reads.
+    bool uv0, uv1; ///< Streams that a form of the recipe reads: outlines() finds them.
     /// Hooks that an effect fills; the vector to the eye, as it takes it.
     bool vertexHook, baseColorHook, surfaceHook, lightHook, toEye;
 };
 
+/// All but the streams.
 Needs needsOf(const Permutation& permutation);
 
 } // namespace franken

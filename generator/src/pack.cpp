@@ -10,11 +10,17 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <span>
 
 namespace franken {
 namespace {
+
+constexpr std::size_t kFactorBytes =
+    std::accumulate(std::begin(kMaterialFactors), std::end(kMaterialFactors), std::size_t{0},
+                    [](std::size_t sum, const FactorRow& row) { return sum + row.size; });
+static_assert(kFactorBytes == sizeof(MaterialFactors), "each member has its row");
 
 constexpr float kInversePi = std::numbers::inv_pi_v<float>;
 

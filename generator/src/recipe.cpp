@@ -20,7 +20,7 @@ constexpr Stage kFragment = Stage::Fragment;
 struct Form {
     std::string_view snippet;
     Condition when = always;
-    UvStream Permutation::*uv = nullptr;
+    UvStream Permutation::*uv = nullptr; ///< The stream that it reads.
 };
 
 constexpr std::size_t kMaxForms = 11;
@@ -311,21 +311,25 @@ constexpr std::size_t kVertexSlots = static_cast<std::size_t>(
     std::count_if(kSlots.begin(), kSlots.end(), [](const Slot& slot) { return slot.stage == kVertex; }));
 static_assert(kSlots[kVertexSlots - 1].stage == kVertex);
 
+// A form that reads a stream says so to the slots before it, which declare it.
 template<std::size_t Index, std::size_t FormIndex>
-void addForm(P p, N n, Outline& outline) {
+void addForm(P p, Needs& n, Outline& outline) {
     constexpr Form form = kSlots[Index].forms[FormIndex];
     constexpr std::size_t row = kFirstRow[Index] + FormIndex;
     if (form.when(p, n)) {
         outline.rows[row] = true;
-        if constexpr (form.uv != nullptr)
-            outline.readsUv1[row] = p.*form.uv == UvStream::Uv1;
+        if constexpr (form.uv != nullptr) {
+            const bool second = p.*form.uv == UvStream::Uv1;
+            outline.readsUv1[row] = second;
+            (second ? n.uv1 : n.uv0) = true;
+        }
     } else if constexpr (FormIndex + 1 < kSlots[Index].count) {
         addForm<Index, FormIndex + 1>(p, n, outline);
     }
 }
 
 template<std::size_t Index>
-void addSlot(P p, N n, Outline& outline) {
+void addSlot(P p, Needs& n, Outline& outline) {
     constexpr Slot slot = kSlots[Index];
     if (!slot.when(p, n) || repeats(p, slot.each) == 0)
         return;
@@ -338,10 +342,18 @@ void addSlot(P p, N n, Outline& outline) {
     addForm<Index, 0>(p, n, outline);
 }
 
-// Spelt out slot by slot: no loop and no calls are left, and canonicalising is mostly this.
-template<std::size_t First, std::size_t... Index>
-void addSlots(P p, N n, Outline& outline, std::index_sequence<Index...>) {
-    (addSlot<First + Index>(p, n, outline), ...);
+// From the last to the first: what declares a stream stands before what reads it. Spelt out slot by slot: no
+// loop and no calls are left, and canonicalising is mostly this.
+template<std::size_t End, std::size_t... Index>
+void addSlots(P p, Needs& n, Outline& outline, std::index_sequence<Index...>) {
+    (addSlot<End - 1 - Index>(p, n, outline), ...);
+}
+
+void addFragment(P p, Needs& n, Outline& outline) {
+    addSlots<kSlotCount>(p, n, outline, std::make_index_sequence<kSlotCount - kVertexSlots>());
+}
+void addVertex(P p, Needs& n, Outline& outline) {
+    addSlots<kVertexSlots>(p, n, outline, std::make_index_sequence<kVertexSlots>());
 }
 
 } // namespace
@@ -353,14 +365,22 @@ RowRange rowsOf(Stage stage) {
     return stage == kVertex ? RowRange{0, kVertexRows} : RowRange{kVertexRows, kRows.size()};
 }
 
-Outline outline(const Permutation& p, Stage stage) {
-    const Needs needs = needsOf(p);
-    Outline result{};
-    if (stage == kVertex)
-        addSlots<0>(p, needs, result, std::make_index_sequence<kVertexSlots>());
-    else
-        addSlots<kVertexSlots>(p, needs, result, std::make_index_sequence<kSlotCount - kVertexSlots>());
+Outlines outlines(const Permutation& p) {
+    Needs needs = needsOf(p);
+    Outlines result{};
+    addFragment(p, needs, result.fragment);
+    addVertex(p, needs, result.vertex);
     return result;
+}
+
+Outline outline(const Permutation& p, Stage stage) {
+    Needs needs = needsOf(p);
+    Outline fragment{}, vertex{};
+    addFragment(p, needs, fragment);
+    if (stage == Stage::Fragment)
+        return fragment;
+    addVertex(p, needs, vertex);
+    return vertex;
 }
 
 } // namespace franken

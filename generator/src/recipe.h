@@ -54,6 +54,14 @@ struct Outline {
     friend bool operator==(const Outline&, const Outline&) = default;
 };
 
+struct Outlines {
+    Outline vertex, fragment;
+    friend bool operator==(const Outlines&, const Outlines&) = default;
+};
+
+Outlines outlines(const Permutation& permutation);
+
+/// One stage's.
 Outline outline(const Permutation& permutation, Stage stage);
 
 /// A permutation's whole text in terms of the recipe, both stages. Equal plans are equal texts.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Materials, textures, samplers and images.
 #include <cmath>
+#include <limits>
 
+#include "franken/scene_check.h"
 #include "gltf_file.h"
 
 namespace {
@@ -90,6 +92,32 @@ TEST(GltfMaterial, AllIsRead) {
             EXPECT_EQ(use.uvSet, 1) << role.name;
             EXPECT_FALSE(use.transformed) << role.name;
         }
+}
+
+TEST(GltfMaterial, EachNumberOfAFactorIsReadAndHeld) {
+    for (const franken::FactorRow& row : franken::kMaterialFactors) {
+        Material material;
+        const std::size_t count = row.of(material.factors).size();
+        const Json::json_pointer place{std::string(row.gltf)};
+        for (std::size_t i = 0; i < count; ++i) {
+            GltfFile file;
+            Json numbers = Json(std::vector<double>(count, 0.25)), wanted = Json::object();
+            numbers[i] = -0.75;
+            wanted[place] = count == 1 ? numbers[0] : numbers;
+            for (const char* texture : {"normalTexture", "occlusionTexture"})
+                if (wanted.contains(texture))
+                    wanted[texture]["index"] = file.appendTexture();
+            material = onlyMaterial(file, wanted);
+            const auto read = row.of(material.factors);
+            EXPECT_EQ(read[i], row.inFile.least < 0 ? -0.75f : 0.0f) << row.name << i;
+            EXPECT_EQ(read[(i + 1) % count], count == 1 ? read[0] : 0.25f) << row.name << i;
+            read[i] = std::numeric_limits<float>::quiet_NaN();
+            material.textures = {}; // Of another scene.
+            const auto checked = check(Scene(), material);
+            ASSERT_FALSE(checked) << row.name << i;
+            EXPECT_EQ(checked.error().where, "material.factors." + std::string(row.name));
+        }
+    }
 }
 
 struct TransformRow {

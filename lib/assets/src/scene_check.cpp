@@ -58,9 +58,10 @@ private:
             function(elements[i], elementOf(array, i));
     }
 
-    void expect(bool holds, const std::string& where, const char* member, const char* what) {
+    void expect(bool holds, const std::string& where, const char* member, std::string_view what) {
         if (!holds && m_fault)
-            m_fault = Error{"scene.data", where + member, what, "see scene.h for the values of each member"};
+            m_fault = Error{"scene.data", where + member, std::string(what),
+                            "see scene.h for the values of each member"};
     }
 
     void expectNode(int node, const std::string& where) {
@@ -131,16 +132,10 @@ private:
     }
 
     void add(const MaterialFactors& factors, const std::string& where) {
-        const auto isLight = [](float value) { return std::isfinite(value) && value >= 0; };
-        expect(areFinite(factors.baseColor), where, ".factors.baseColor", "its numbers must be finite");
-        expect(isWithin(factors.metallic, 0, 1), where, ".factors.metallic", "it must be 0 to 1");
-        expect(isWithin(factors.roughness, 0, 1), where, ".factors.roughness", "it must be 0 to 1");
-        expect(std::isfinite(factors.normalScale), where, ".factors.normalScale", "it must be finite");
-        expect(isWithin(factors.occlusionStrength, 0, 1), where, ".factors.occlusionStrength",
-               "it must be 0 to 1");
-        expect(std::all_of(factors.emissive.begin(), factors.emissive.end(), isLight), where,
-               ".factors.emissive", "it must be finite, and 0 or more");
-        expect(std::isfinite(factors.alphaCutoff), where, ".factors.alphaCutoff", "it must be finite");
+        for (const FactorRow& row : kMaterialFactors)
+            for (const float value : row.of(factors))
+                if (!isWithin(value, row.range.least, row.range.most))
+                    expect(false, where + ".factors." + std::string(row.name), "", row.range.rule);
     }
 
     template<typename Vector>

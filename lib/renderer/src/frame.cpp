@@ -205,7 +205,7 @@ void Frame::use(ShaderProgram& program, const BlockViews& blocks) {
 void Frame::bind(const GpuMaterial& material) {
     use(*material.program, {m_frame.view(), m_lights.view(), material.block.view(), {}});
     for (const Sampler& sampler : material.program->interface().samplers)
-        if (const auto unit = static_cast<std::size_t>(sampler.unit); unit < kMaterialUnits)
+        if (const auto unit = static_cast<std::size_t>(sampler.unit); isMaterialsUnit(unit))
             m_device.state.bindTexture(static_cast<unsigned>(unit), GL_TEXTURE_2D, material.textures[unit]);
     m_boundMaterial = &material;
 }

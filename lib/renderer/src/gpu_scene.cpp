@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "gpu_scene.h"
 
-#include <algorithm>
-
 namespace franken {
-const TextureRoleRow& roleAt(std::size_t unit) {
-    const std::span<const TextureRoleRow> roles = textureRoles();
-    return *std::find_if(roles.begin(), roles.end(),
-                         [&](const TextureRoleRow& role) { return role.unit == unit; });
-}
 
 DefaultTextures::DefaultTextures(const Gl& gl) {
-    for (std::size_t unit = 0; unit < kMaterialUnits; ++unit)
-        m_textures.push_back(uploadTexel(gl, roleAt(unit).defaultTexel));
+    for (std::size_t unit = 0; unit < kUsedTextureUnits; ++unit)
+        m_textures.push_back(isMaterialsUnit(unit) ? uploadTexel(gl, findRoleAt(unit)->defaultTexel)
+                                                   : GlTexture());
 }
 
 Outline outlineOf(const Scene& scene) {
@@ -41,7 +35,7 @@ void replaceFactors(GpuMaterial& gpu, const Scene& outline) {
 }
 
 void bindTextures(GpuMaterial& material, const GpuScene& gpu, const DefaultTextures& defaults) {
-    for (std::size_t unit = 0; unit < kMaterialUnits; ++unit) {
+    for (std::size_t unit = 0; unit < kUsedTextureUnits; ++unit) {
         const int texture = material.plan.textures[unit];
         material.textures[unit] =
             texture == kNone ? defaults.at(unit)

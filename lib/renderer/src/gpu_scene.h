@@ -24,7 +24,7 @@ struct GpuMaterial {
     int material; ///< Of the scene.
     VertexContents contents;
     MaterialPlan plan;
-    std::array<GLuint, kMaterialUnits> textures; ///< By sampler unit; never 0.
+    std::array<GLuint, kUsedTextureUnits> textures; ///< By sampler unit; 0 for those of skies.
     DrawState state;
     bool doubleSided, blended;
     UniformBlock<MaterialBlock> block;
@@ -77,9 +77,6 @@ struct Outline {
     std::vector<std::string> nodes;
 };
 Outline outlineOf(const Scene& scene);
-
-/// The first texture role of the unit: roles that share one have the same contents and the same default.
-const TextureRoleRow& roleAt(std::size_t unit);
 
 /// What is bound where a material has no texture: one texel that changes nothing.
 class DefaultTextures {

@@ -66,7 +66,7 @@ private:
                         .blended = false,
                         .block = {}};
         planMaterial(gpu, m_outline, m_log);
-        for (std::size_t unit = 0; unit < kMaterialUnits; ++unit)
+        for (std::size_t unit = 0; unit < kUsedTextureUnits; ++unit)
             addTexture(gpu.plan.textures[unit], unit);
         m_gpu.materials.push_back(std::move(gpu));
         return m_gpu.materials.size() - 1;
@@ -77,10 +77,10 @@ private:
             return;
         const Texture& source = m_scene.textures[static_cast<std::size_t>(index)];
         const Image& image = m_scene.images[static_cast<std::size_t>(source.image)];
-        const SampledImage sampled{&image, source, roleAt(unit).contents};
+        const SampledImage sampled{&image, source, findRoleAt(unit)->contents};
         const auto [known, isNew] = m_textures.try_emplace(sampled, m_plan.textures.size());
         if (isNew)
-            m_plan.textures.push_back({sampled, roleAt(unit).defaultTexel});
+            m_plan.textures.push_back({sampled, findRoleAt(unit)->defaultTexel});
         m_gpu.textureOf[static_cast<std::size_t>(index)] = known->second;
     }
 

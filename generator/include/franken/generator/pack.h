@@ -9,6 +9,9 @@
 #include "franken/generator/permutation.h"
 
 #include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
 #include <string_view>
 
 namespace FRANKEN_API franken {
@@ -45,15 +48,60 @@ inline constexpr float kDielectricScatters = 0.96f;
 /// (generator/docs/sky.md). roughness, metallic: 0-1.
 float reflectionBend(float roughness, float metallic);
 
-/// A glTF material's numbers, as they stand in the file; colours linear.
+/// A glTF material's numbers, as they stand in the file; colours linear. kMaterialFactors has their ranges.
 struct MaterialFactors {
     Float4 baseColor{1, 1, 1, 1};
-    float metallic = 1;          ///< 0-1
-    float roughness = 1;         ///< 0-1
-    float normalScale = 1;       ///< Any
-    float occlusionStrength = 1; ///< 0-1
-    Float3 emissive{0, 0, 0};    ///< Factor times KHR_materials_emissive_strength; radiance, 0 and up
-    float alphaCutoff = 0.5f;    ///< 0 and up
+    float metallic = 1;
+    float roughness = 1;
+    float normalScale = 1;
+    float occlusionStrength = 1;
+    Float3 emissive{0, 0, 0}; ///< Factor times KHR_materials_emissive_strength; radiance
+    float alphaCutoff = 0.5f;
+};
+
+/// What a factor may be: finite, and from `least` to `most`.
+struct FactorRange {
+    float least, most;
+    std::string_view rule; ///< The same in words
+};
+inline constexpr FactorRange kUnitFactor{0, 1, "it must be 0 to 1"};
+inline constexpr FactorRange kAmountFactor{0, std::numeric_limits<float>::max(),
+                                           "it must be finite, and 0 or more"};
+inline constexpr FactorRange kAnyFactor{std::numeric_limits<float>::lowest(),
+                                        std::numeric_limits<float>::max(), "it must be finite"};
+
+/// All that is known of a factor but its default, which is its member's.
+struct FactorRow {
+    std::string_view name;   ///< Its member's
+    std::size_t bytes, size; ///< Where its floats are in the struct, and how long they are together
+    FactorRange range;       ///< In a scene
+    FactorRange inFile;      ///< What a glTF file may say; what is beyond it is clamped
+    std::string_view gltf;   ///< Where a material of a glTF file has it, a JSON pointer
+
+    std::span<float> of(MaterialFactors& factors) const {
+        return {reinterpret_cast<float*>(&factors) + bytes / sizeof(float), size / sizeof(float)};
+    }
+    std::span<const float> of(const MaterialFactors& factors) const {
+        return {reinterpret_cast<const float*>(&factors) + bytes / sizeof(float), size / sizeof(float)};
+    }
+};
+
+/// All factors.
+inline constexpr FactorRow kMaterialFactors[] = {
+    {"baseColor", offsetof(MaterialFactors, baseColor), sizeof(Float4), kAnyFactor, kUnitFactor,
+     "/pbrMetallicRoughness/baseColorFactor"},
+    {"metallic", offsetof(MaterialFactors, metallic), sizeof(float), kUnitFactor, kUnitFactor,
+     "/pbrMetallicRoughness/metallicFactor"},
+    {"roughness", offsetof(MaterialFactors, roughness), sizeof(float), kUnitFactor, kUnitFactor,
+     "/pbrMetallicRoughness/roughnessFactor"},
+    {"normalScale", offsetof(MaterialFactors, normalScale), sizeof(float), kAnyFactor, kAnyFactor,
+     "/normalTexture/scale"},
+    {"occlusionStrength", offsetof(MaterialFactors, occlusionStrength), sizeof(float), kUnitFactor,
+     kUnitFactor, "/occlusionTexture/strength"},
+    {"emissive", offsetof(MaterialFactors, emissive), sizeof(Float3), kAmountFactor, kUnitFactor,
+     "/emissiveFactor"},
+    {"alphaCutoff", offsetof(MaterialFactors, alphaCutoff), sizeof(float), kAmountFactor, kAmountFactor,
+     "/alphaCutoff"},
 };
 
 /// KHR_texture_transform of the two streams of texture coordinates.

@@ -4,6 +4,7 @@
 #include "franken/api.h"
 #include "franken/generator/permutation.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,8 @@
 #include <string_view>
 
 namespace FRANKEN_API franken {
+
+// Texture roles: all that is known of them, beside their words (choices.cpp) and their snippets (recipe.cpp).
 
 /// What a texture is for. The first ones are a material's.
 enum class TextureRole : std::uint8_t {
@@ -52,24 +55,100 @@ struct TextureRoleRow {
         gltf; ///< Where a material of a glTF file has it, a JSON pointer; empty for no such place
 };
 
-/// All roles, in the order of the enum.
-std::span<const TextureRoleRow> textureRoles();
+namespace roles {
 
-const TextureRoleRow& rowOf(TextureRole role);
+using P = const Permutation&;
+using Texel = std::array<std::uint8_t, 4>;
+
+inline constexpr Texel kWhite = {255, 255, 255, 255}; ///< Factors alone remain.
+inline constexpr Texel kFlat = {128, 128, 255, 255};  ///< The normal (0, 0, 1).
+inline constexpr Texel kBlack = {0, 0, 0, 0};         ///< Nothing shines, and nothing is reflected.
+
+inline constexpr TextureRoleRow kRows[] = {
+    {TextureRole::BaseColor, "base colour", "basecolor", "uBaseColorTexture", 0, &Permutation::baseColorUv,
+     [](P p) { return p.baseColorTexture; }, TextureContents::Color, kWhite, true,
+     "/pbrMetallicRoughness/baseColorTexture"},
+    {TextureRole::Normal, "normal", "normal", "uNormalTexture", 1, &Permutation::normalUv,
+     [](P p) { return p.normal == Normal::Map; }, TextureContents::Normals, kFlat, true, "/normalTexture"},
+    {TextureRole::MetallicRoughness, "metallic-roughness", "metalrough", "uMetallicRoughnessTexture", 2,
+     &Permutation::metallicRoughnessUv, [](P p) { return p.metallicRoughness == MetallicRoughness::Packed; },
+     TextureContents::Numbers, kWhite, true, "/pbrMetallicRoughness/metallicRoughnessTexture"},
+    {TextureRole::Metallic, "metallic", "metalrough-separate", "uMetallicTexture", 2,
+     &Permutation::metallicRoughnessUv,
+     [](P p) { return p.metallicRoughness == MetallicRoughness::Separate; }, TextureContents::Numbers, kWhite,
+     true, ""},
+    {TextureRole::Roughness, "roughness", "metalrough-separate", "uRoughnessTexture", 3,
+     &Permutation::metallicRoughnessUv,
+     [](P p) { return p.metallicRoughness == MetallicRoughness::Separate; }, TextureContents::Numbers, kWhite,
+     true, ""},
+    {TextureRole::Occlusion, "occlusion", "occlusion", "uOcclusionTexture", 4, &Permutation::occlusionUv,
+     [](P p) { return p.occlusion == Occlusion::Texture; }, TextureContents::Numbers, kWhite, true,
+     "/occlusionTexture"},
+    {TextureRole::Emissive, "emissive", "emissive", "uEmissiveTexture", 5, &Permutation::emissiveUv,
+     [](P p) { return p.emissive == Emissive::Texture; }, TextureContents::Color, kWhite, true,
+     "/emissiveTexture"},
+    {TextureRole::Skybox, "skybox", "sky", "uSkyTexture", 6, nullptr,
+     [](P p) { return p.program == Program::Sky; }, TextureContents::Numbers, kBlack, false, ""},
+    {TextureRole::Reflection, "reflection", "reflection", "uReflectionTexture", 6, nullptr,
+     [](P p) { return p.reflection != Reflection::None; }, TextureContents::Numbers, kBlack, false, ""},
+    {TextureRole::ReflectionLookup, "reflection's lookup", "reflection", "uReflectionLookup", 7, nullptr,
+     [](P p) { return p.reflection != Reflection::None; }, TextureContents::Numbers, kBlack, false, ""},
+};
+
+} // namespace roles
+
+/// All roles, in the order of the enum.
+constexpr std::span<const TextureRoleRow> textureRoles() { return roles::kRows; }
+
+constexpr const TextureRoleRow& rowOf(TextureRole role) {
+    return textureRoles()[static_cast<std::size_t>(role)];
+}
 
 /// Null for a name that is no sampler.
-const TextureRoleRow* findTextureRole(std::string_view sampler);
+constexpr const TextureRoleRow* findTextureRole(std::string_view sampler) {
+    for (const TextureRoleRow& row : textureRoles())
+        if (row.sampler == sampler)
+            return &row;
+    return nullptr;
+}
 
 /// A material's texture: it has a place in glTF, or stands for half of one that has.
 constexpr bool isMaterials(TextureRole role) { return role < TextureRole::Skybox; }
 
-/// The units of materials' textures are below it.
-inline constexpr std::size_t kMaterialUnits = 6;
-
-/// The units of all roles are below it.
-inline constexpr std::size_t kUsedTextureUnits = 8;
-
 /// How many roles are a material's.
 inline constexpr std::size_t kMaterialRoles = static_cast<std::size_t>(TextureRole::Skybox);
+
+/// The first role that has the unit; null where none has. Roles that share a unit are alike to samplers.
+constexpr const TextureRoleRow* findRoleAt(std::size_t unit) {
+    for (const TextureRoleRow& row : textureRoles())
+        if (row.unit == unit)
+            return &row;
+    return nullptr;
+}
+
+/// Whether materials' textures are bound to the unit.
+constexpr bool isMaterialsUnit(std::size_t unit) {
+    const TextureRoleRow* const row = findRoleAt(unit);
+    return row != nullptr && isMaterials(row->role);
+}
+
+/// The units of all roles are below it.
+inline constexpr std::size_t kUsedTextureUnits =
+    std::max_element(std::begin(roles::kRows), std::end(roles::kRows),
+                     [](const TextureRoleRow& a, const TextureRoleRow& b) { return a.unit < b.unit; })
+        ->unit +
+    1;
+static_assert(kUsedTextureUnits <= kTextureUnits);
+
+namespace roles {
+
+constexpr bool isSound(const TextureRoleRow& row) {
+    const TextureRoleRow& first = *findRoleAt(row.unit);
+    return &row == &rowOf(row.role) && isMaterials(row.role) == isMaterials(first.role) &&
+           row.contents == first.contents && row.defaultTexel == first.defaultTexel;
+}
+static_assert(std::all_of(std::begin(kRows), std::end(kRows), isSound));
+
+} // namespace roles
 
 } // namespace franken

@@ -11,20 +11,26 @@
 
 namespace franken::gltf {
 
-/// How a material uses textures: by TextureRole, the glTF textureInfo; null where it has none.
-using MaterialUses = std::array<Json, kMaterialRoles>;
+/// What the tables of textures' roles and of factors name of a material.
+struct MaterialValues {
+    std::array<Json, kMaterialRoles> textures; ///< By TextureRole, the glTF textureInfo; null for none.
+    /// By row of kMaterialFactors; empty for none.
+    std::array<std::vector<double>, std::size(kMaterialFactors)> factors;
+
+    const Json& operator[](TextureRole role) const { return textures[static_cast<std::size_t>(role)]; }
+};
 
 /// A file that has passed the gate.
 struct Document : Source {
     tinygltf::Model model;                    ///< Its own buffers and images are empty shells.
     Json animations = Json::array();          ///< Which tinygltf does not see.
-    std::vector<MaterialUses> textureUses;    ///< By material
+    std::vector<MaterialValues> materials;    ///< By material
     std::vector<std::size_t> accessorStrides; ///< By accessor; from validateData().
 
     bool uses(std::string_view extension) const;
 };
 
-/// Takes names, URIs, uses of textures and strides out of the checked JSON, and has tinygltf fill
+/// Takes names, URIs, what materials hold and strides out of the checked JSON, and has tinygltf fill
 /// Document::model from the rest.
 bool parseModel(Document& source, Json& root);
 

@@ -1,62 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 
 #include "gltf/gate.h"
+#include "gltf/schema.h"
 
 namespace franken::gltf {
 namespace {
-
-constexpr std::array<std::string_view, 9> kKnown{
-    "EXT_mesh_gpu_instancing",         "KHR_animation_pointer", "KHR_lights_punctual",
-    "KHR_materials_emissive_strength", "KHR_materials_unlit",   "KHR_materials_variants",
-    "KHR_mesh_quantization",           "KHR_node_visibility",   "KHR_texture_transform"};
-
-// What a picture of the file at rest can do without, even where the file says that it requires it: words
-// about the model, what moves, sounds or answers, other looks to choose from, and lobes on top of a surface
-// that is there without them.
-constexpr std::array<std::string_view, 37> kHarmless{"ADOBE_materials_clearcoat_specular",
-                                                     "ADOBE_materials_clearcoat_tint",
-                                                     "AGI_articulations",
-                                                     "AGI_stk_metadata",
-                                                     "CESIUM_primitive_outline",
-                                                     "EXT_feature_metadata",
-                                                     "EXT_instance_features",
-                                                     "EXT_lights_ies",
-                                                     "EXT_mesh_features",
-                                                     "EXT_mesh_manifold",
-                                                     "EXT_structural_metadata",
-                                                     "FB_geometry_metadata",
-                                                     "GODOT_single_root",
-                                                     "KHR_audio",
-                                                     "KHR_audio_emitter",
-                                                     "KHR_implicit_shapes",
-                                                     "KHR_interactivity",
-                                                     "KHR_materials_anisotropy",
-                                                     "KHR_materials_clearcoat",
-                                                     "KHR_materials_dispersion",
-                                                     "KHR_materials_ior",
-                                                     "KHR_materials_iridescence",
-                                                     "KHR_materials_sheen",
-                                                     "KHR_materials_specular",
-                                                     "KHR_node_hoverability",
-                                                     "KHR_node_selectability",
-                                                     "KHR_physics_rigid_bodies",
-                                                     "KHR_xmp",
-                                                     "KHR_xmp_json_ld",
-                                                     "MSFT_audio_emitter",
-                                                     "MSFT_lod",
-                                                     "OMI_physics_body",
-                                                     "OMI_physics_shape",
-                                                     "VRM",
-                                                     "VRMC_node_constraint",
-                                                     "VRMC_springBone",
-                                                     "VRMC_vrm"};
-
-template<typename List>
-bool contains(const List& list, std::string_view name) {
-    return std::find(list.begin(), list.end(), name) != list.end();
-}
 
 bool extensionError(Source& source, const std::string& where, const std::string& name) {
     return source.fail("gltf.extension", where,
@@ -69,10 +18,10 @@ bool checkRequired(Source& source, const Json& root) {
     for (std::size_t i = 0; required.is_array() && i < required.size(); ++i) {
         const std::string name =
             required[i].is_string() ? required[i].get<std::string>() : required[i].dump();
-        if (contains(kHarmless, name))
+        if (isHarmless(name))
             source.warn(kLeftOut, pathOf("extensionsRequired", i),
                         "the file requires the extension " + name + "; it is drawn without");
-        else if (!contains(kKnown, name))
+        else if (!isKnown(name))
             return extensionError(source, pathOf("extensionsRequired", i), name);
     }
     return true;
@@ -81,8 +30,8 @@ bool checkRequired(Source& source, const Json& root) {
 void warnOfUsed(const Source& source, const Json& root) {
     const Json &used = member(root, "extensionsUsed"), &required = member(root, "extensionsRequired");
     for (std::size_t i = 0; used.is_array() && i < used.size(); ++i)
-        if (used[i].is_string() && !contains(kKnown, used[i].get<std::string>()) &&
-            !(required.is_array() && contains(required, used[i].get<std::string>())))
+        if (used[i].is_string() && !isKnown(used[i].get<std::string>()) &&
+            !(required.is_array() && std::find(required.begin(), required.end(), used[i]) != required.end()))
             source.warn(kLeftOut, pathOf("extensionsUsed", i),
                         "the extension " + used[i].get<std::string>() + " is not known and left out");
 }

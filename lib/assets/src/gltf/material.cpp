@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 
 #include <glm/common.hpp>
@@ -48,10 +49,16 @@ bool readRef(Document& source, const Json& info, const std::string& where, Textu
     return true;
 }
 
-float unit(Document& source, double value, const std::string& where) {
-    if (value < 0.0 || value > 1.0)
-        source.warn(kMended, where, "a factor is outside 0..1: clamped");
-    return glm::clamp(static_cast<float>(value), 0.0f, 1.0f);
+void readFactor(const Document& source, const FactorRow& row, const std::vector<double>& numbers,
+                const std::string& material, MaterialFactors& factors) {
+    const std::span<float> factor = row.of(factors);
+    for (std::size_t i = 0; i < std::min(numbers.size(), factor.size()); ++i) {
+        const double held = std::clamp<double>(numbers[i], row.inFile.least, row.inFile.most);
+        if (held != numbers[i])
+            source.warn(kMended, material + std::string(row.gltf),
+                        "a factor is out of range: clamped, for " + std::string(row.inFile.rule));
+        factor[i] = static_cast<float>(held);
+    }
 }
 
 float emissiveStrength(const tinygltf::Material& material) {
@@ -62,27 +69,15 @@ float emissiveStrength(const tinygltf::Material& material) {
     return strength.IsNumber() ? static_cast<float>(strength.GetNumberAsDouble()) : 1.0f;
 }
 
-bool readFactors(Document& source, const tinygltf::Material& from, const std::string& where,
-                 Material& material) {
-    const tinygltf::PbrMetallicRoughness& pbr = from.pbrMetallicRoughness;
-    MaterialFactors& factors = material.factors;
-    for (int i = 0; i < 4; ++i)
-        factors.baseColor[at(i)] =
-            unit(source, pbr.baseColorFactor[at(i)], where + "/pbrMetallicRoughness/baseColorFactor");
-    factors.metallic = unit(source, pbr.metallicFactor, where + "/pbrMetallicRoughness/metallicFactor");
-    factors.roughness = unit(source, pbr.roughnessFactor, where + "/pbrMetallicRoughness/roughnessFactor");
-    factors.normalScale = static_cast<float>(from.normalTexture.scale);
-    factors.occlusionStrength =
-        unit(source, from.occlusionTexture.strength, where + "/occlusionTexture/strength");
-    for (int i = 0; i < 3; ++i)
-        factors.emissive[at(i)] = unit(source, from.emissiveFactor[at(i)], where + "/emissiveFactor");
-    const float strength = emissiveStrength(from);
+bool readFactors(Document& source, std::size_t index, const std::string& where, Material& material) {
+    for (std::size_t i = 0; i < std::size(kMaterialFactors); ++i)
+        readFactor(source, kMaterialFactors[i], source.materials[index].factors[i], where, material.factors);
+    const float strength = emissiveStrength(source.model.materials[index]);
     if (!std::isfinite(strength) || strength < 0.0f)
         return source.fail("gltf.value", where + "/extensions/KHR_materials_emissive_strength",
                            "the strength is negative or not finite");
-    for (float& channel : factors.emissive)
+    for (float& channel : material.factors.emissive)
         channel *= strength;
-    factors.alphaCutoff = std::fmax(static_cast<float>(from.alphaCutoff), 0.0f);
     return true;
 }
 
@@ -93,10 +88,10 @@ bool darken(Material& material, bool hadTexture) {
     return true;
 }
 
-bool readTextures(Document& source, const MaterialUses& uses, const std::string& where, Material& material) {
+bool readTextures(Document& source, std::size_t index, const std::string& where, Material& material) {
     for (const TextureRoleRow& role : textureRoles())
-        if (!role.gltf.empty() && !readRef(source, uses[static_cast<std::size_t>(role.role)],
-                                           where + std::string(role.gltf), material.textures[role.role]))
+        if (isMaterials(role.role) && !readRef(source, source.materials[index][role.role],
+                                               where + std::string(role.gltf), material.textures[role.role]))
             return false;
     return true;
 }
@@ -112,8 +107,7 @@ bool readMaterial(Document& source, std::size_t index, const std::string& where,
         material.alphaMode = AlphaMode::Blend;
     else if (from.alphaMode != "OPAQUE")
         return source.fail("gltf.value", where + "/alphaMode", "there is no alpha mode " + from.alphaMode);
-    return readFactors(source, from, where, material) &&
-           readTextures(source, source.textureUses[index], where, material) &&
+    return readFactors(source, index, where, material) && readTextures(source, index, where, material) &&
            darken(material, from.emissiveTexture.index != kNone);
 }
 

@@ -44,7 +44,7 @@ bool chargeObjects(Source& source, const Json& root) {
            charge(member(root, "samplers"), sizeof(tinygltf::Sampler), "/samplers") &&
            charge(member(root, "textures"), sizeof(tinygltf::Texture), "/textures") &&
            charge(member(root, "materials"),
-                  sizeof(tinygltf::Material) + sizeof(Material) + sizeof(MaterialUses), "/materials") &&
+                  sizeof(tinygltf::Material) + sizeof(Material) + sizeof(MaterialValues), "/materials") &&
            charge(member(root, "meshes"), sizeof(tinygltf::Mesh), "/meshes") &&
            charge(member(root, "skins"), sizeof(tinygltf::Skin), "/skins") &&
            charge(member(root, "cameras"), sizeof(tinygltf::Camera), "/cameras") &&
@@ -82,15 +82,22 @@ bool takeResources(Source& source, Json& root) {
     return true;
 }
 
-// Where textures are used stands in the roles' table, which tinygltf has in a member for each.
-void noteTextureUses(Document& source, const Json& root) {
+// Where textures and factors stand is in the tables of their roles and rows; tinygltf has a member for each.
+void noteMaterials(Document& source, const Json& root) {
     for (const Json& material : member(root, "materials")) {
-        MaterialUses& uses = source.textureUses.emplace_back();
-        for (const TextureRoleRow& role : textureRoles()) {
-            const Json::json_pointer place{std::string(role.gltf)};
-            if (!role.gltf.empty() && material.contains(place))
-                uses[static_cast<std::size_t>(role.role)] = material.at(place);
-        }
+        MaterialValues& values = source.materials.emplace_back();
+        const auto find = [&](std::string_view gltf) {
+            const Json::json_pointer place{std::string(gltf)};
+            return !gltf.empty() && material.contains(place) ? material.at(place) : Json();
+        };
+        for (const TextureRoleRow& role : textureRoles())
+            if (isMaterials(role.role))
+                values.textures[static_cast<std::size_t>(role.role)] = find(role.gltf);
+        for (std::size_t i = 0; i < values.factors.size(); ++i)
+            if (const Json found = find(kMaterialFactors[i].gltf); found.is_number())
+                values.factors[i] = {found.get<double>()};
+            else if (found.is_array())
+                values.factors[i] = found.get<std::vector<double>>();
     }
 }
 
@@ -145,7 +152,7 @@ bool parse(Document& source, const std::string& text) {
 bool parseModel(Document& source, Json& root) {
     if (!chargeObjects(source, root) || !takeResources(source, root))
         return false;
-    noteTextureUses(source, root);
+    noteMaterials(source, root);
     takeStrides(source, root);
     if (root.contains("animations"))
         source.animations = std::move(root["animations"]);

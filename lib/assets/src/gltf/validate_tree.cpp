@@ -101,21 +101,17 @@ bool checkSkin(Document& source, std::size_t index) {
 int indexOf(const Json& use) { return use.is_object() ? use.value("index", kNone) : kNone; }
 
 bool checkMaterial(Document& source, std::size_t index) {
-    const tinygltf::Material& material = source.model.materials[index];
-    const tinygltf::PbrMetallicRoughness& pbr = material.pbrMetallicRoughness;
+    const MaterialValues& values = source.materials[index];
     const std::string where = pathOf("materials", index);
     const std::size_t textures = source.model.textures.size();
     for (const TextureRoleRow& role : textureRoles())
-        if (!role.gltf.empty() &&
-            !checkIndex(source, indexOf(source.textureUses[index][static_cast<std::size_t>(role.role)]),
-                        textures, where + std::string(role.gltf) + "/index"))
+        if (isMaterials(role.role) && !checkIndex(source, indexOf(values[role.role]), textures,
+                                                  where + std::string(role.gltf) + "/index"))
             return false;
-    return checkLength(source, material.emissiveFactor, 3, where + "/emissiveFactor") &&
-           checkLength(source, pbr.baseColorFactor, 4, where + "/pbrMetallicRoughness/baseColorFactor") &&
-           checkFinite(source,
-                       {pbr.metallicFactor, pbr.roughnessFactor, material.normalTexture.scale,
-                        material.occlusionTexture.strength, material.alphaCutoff},
-                       where);
+    for (std::size_t i = 0; i < values.factors.size(); ++i)
+        if (!checkFinite(source, values.factors[i], where + std::string(kMaterialFactors[i].gltf)))
+            return false;
+    return true;
 }
 
 bool checkTextures(Document& source) {

@@ -51,9 +51,9 @@ struct MaterialPlan {
     Permutation permutation; ///< The material's choices alone; see permutationOf().
     MaterialFactors factors;
     UvTransforms uvTransforms;
-    std::array<int, kMaterialUnits> textures; ///< Scene texture of each sampler unit, or kNone.
-    std::array<int, 2> uvSets{};              ///< Which TEXCOORD_n feeds each of the two streams.
-    bool fine = false;                        ///< Light vectors may be per vertex.
+    std::array<int, kUsedTextureUnits> textures; ///< Scene texture of each sampler unit, or kNone.
+    std::array<int, 2> uvSets{};                 ///< Which TEXCOORD_n feeds each of the two streams.
+    bool fine = false;                           ///< Light vectors may be per vertex.
 };
 
 /// Distributes a material's textures over the two UV streams of a program. A stream is one TEXCOORD set with
