@@ -90,6 +90,7 @@ void Show::contextLost() {
         m_stage->renderer().contextLost();
     m_stage.reset();
     m_transition.clear();
+    m_before.reset();
     m_content->cancel();
 }
 
@@ -101,7 +102,7 @@ void Show::layoutChanged(const platform::Surface& surface) {
 void Show::wantNext(int direction) {
     m_direction = direction;
     const Exhibit* shown = m_stage->shown();
-    m_content->want(shown != nullptr ? std::optional(shown->path) : std::nullopt, direction);
+    m_content->want(shown != nullptr ? std::optional(shown->path) : m_before, direction);
 }
 
 void Show::contentArrived() {
@@ -113,9 +114,8 @@ void Show::contentArrived() {
             m_content->refuse(path, prepared.error());
     }
     const Exhibit* shown = m_stage->shown();
-    const std::optional<std::filesystem::path> path =
-        shown != nullptr ? std::optional(shown->path) : std::nullopt;
-    if (path && (!m_content->playlist().contains(*path) || m_content->isReplaced(*path)))
+    const std::optional<std::filesystem::path> path = shown != nullptr ? shown->path : m_before;
+    if (shown != nullptr && (!m_content->playlist().contains(*path) || m_content->isReplaced(*path)))
         m_transition.next();
     const bool isStale = m_stage->next() != nullptr && !m_content->playlist().contains(m_stage->next()->path);
     const bool isSurpassed =
@@ -129,7 +129,8 @@ void Show::contentArrived() {
 
 void Show::makeRoom(Time now) {
     const bool isOver = m_transition.end().count() != 0 && now >= m_transition.end();
-    if (m_mayPreload || !isOver || m_stage->hasNext() || m_content->isReading())
+    if (m_mayPreload || !isOver || m_stage->hasNext() || m_content->isReading() ||
+        !m_content->following(m_before))
         return;
     wantNext();
     m_stage->clear();
@@ -149,6 +150,7 @@ void Show::change(Time now) {
         m_log(LogLevel::Error, franken::toString(changed.error()));
     m_log(LogLevel::Info, "shows " + m_stage->shown()->path.string());
     ++m_modelsShown;
+    m_before = m_stage->shown()->path;
     m_stage->shown()->view.setPaused(m_paused);
     m_stage->keepManifest();
     if (m_mayPreload)

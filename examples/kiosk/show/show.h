@@ -68,8 +68,9 @@ private:
     std::unique_ptr<Stage> m_stage;
     Transition m_transition;
     LightControls m_lights;
-    Time m_last{0};      ///< Of the frame before.
-    int m_direction = 1; ///< In which the next model was looked for.
+    Time m_last{0};                                ///< Of the frame before.
+    std::optional<std::filesystem::path> m_before; ///< The model that was shown last; it may be gone.
+    int m_direction = 1;                           ///< In which the next model was looked for.
     bool m_captions, m_statistics;
     double m_resolution = 1;
     bool m_paused = false, m_mayPreload = true;

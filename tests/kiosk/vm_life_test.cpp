@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+// When the kiosk is dark, what wakes it, what it does without, and what buttons do. In virtual time.
+#include "kiosk/vm_kiosk.h"
+#include "support/service_manager.h"
+#include "support/shell.h"
+#include "support/sim_chip.h"
+#include "support/uinput.h"
+
+#include <linux/input-event-codes.h>
+#include <poll.h>
+
+#include <csignal>
+#include <ctime>
+#include <thread>
+
+namespace franken::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+const std::string kContent = "[content]\nfolder = \"models\"\nseconds = 0\n";
+const std::string kStill = kContent + "[show]\nturn-seconds = 0\n"; // Draws only what changes.
+
+class KioskLife : public KioskInGuest {
+protected:
+    void SetUp() override {
+        KioskInGuest::SetUp();
+        if (!IsSkipped()) {
+            setenv("TZ", "UTC", 1);
+            copyModel(kBox, "a.glb");
+            copyModel(kBox, "b.glb");
+        }
+    }
+    /// Sets the machine's clock: a Monday.
+    static void setClock(int hour, int minute, int second) {
+        const timespec time{1'771'200'000 - 1'771'200'000 % 86'400 + hour * 3600 + minute * 60 + second, 0};
+        ASSERT_EQ(clock_settime(CLOCK_REALTIME, &time), 0);
+        const std::tm* const local = gmtime(&time.tv_sec);
+        ASSERT_EQ(local->tm_wday, 1) << "not a Monday";
+    }
+};
+
+TEST_F(KioskLife, OpeningHoursAreHeededOnceTheClockIsSynchronised) {
+    setClock(8, 59, 30);
+    start(kContent + "[timetable]\nmonday = [\"09:00-18:00\"]\n");
+    ASSERT_TRUE(logs("shows"));
+    EXPECT_EQ(log().find("dark"), std::string::npos) << "who knows what time it is";
+    writeMachine("/run/systemd/timesync/synchronized", "");
+    ASSERT_TRUE(logs("the screen is dark: closed", 2));
+    ASSERT_TRUE(logs("blanked"));
+    ASSERT_TRUE(logs("the screen wakes", 40));
+    ASSERT_TRUE(logs("drawing", 1));
+    setClock(17, 59, 59);
+    EXPECT_FALSE(logs("dark", 0));
+    ASSERT_TRUE(logs("the screen is dark: closed", 2));
+    setClock(12, 0, 0); // A jump, which nothing announces but the kernel.
+    ASSERT_TRUE(logs("the screen wakes", 1));
+    setClock(23, 0, 0);
+    ASSERT_TRUE(logs("the screen is dark: closed", 1));
+}
+
+TEST_F(KioskLife, MotionAndKeysWakeItAndIdleTimeDoesNotPassWhileSomebodyIsThere) {
+    const SimChip chip;
+    chip.pull(23, false);
+    const UinputDevice keys(UinputDevice::Kind::Keyboard, "kiosk keys");
+    start(kStill + "[presence]\npin = 23\nidle-minutes = 1\n");
+    ASSERT_TRUE(logs("shows"));
+    ASSERT_TRUE(logs("the screen is dark: nobody is there", 62));
+    chip.pull(23, true);
+    ASSERT_TRUE(logs("the screen wakes", 1));
+    EXPECT_FALSE(logs("the screen is dark", 90)) << "somebody stands there";
+    chip.pull(23, false);
+    ASSERT_TRUE(logs("the screen is dark: nobody is there", 62));
+    keys.key(KEY_A, true);
+    keys.key(KEY_A, false);
+    ASSERT_TRUE(logs("the screen wakes", 1));
+}
+
+TEST_F(KioskLife, AnHourWithoutAScreenAndTheWatchdogIsFedInEachState) {
+    FakeServiceManager manager(10s);
+    start(kStill);
+    const auto fed = [&manager](const std::string& state) {
+        int alive = 0;
+        bool isSaid = false;
+        pollfd ready{manager.descriptor(), POLLIN, 0};
+        for (const auto end = std::chrono::steady_clock::now() + 20s;
+             std::chrono::steady_clock::now() < end;) {
+            poll(&ready, 1, 100);
+            for (std::string message = manager.next(); !message.empty(); message = manager.next()) {
+                alive += message.find("WATCHDOG=1") != std::string::npos ? 1 : 0;
+                isSaid = isSaid || message.find(state) != std::string::npos;
+            }
+        }
+        EXPECT_GE(alive, 4) << state;
+        EXPECT_TRUE(isSaid) << state;
+    };
+    fed("drawing");
+    plug("off");
+    fed("no screen");
+    std::this_thread::sleep_for(1h);
+    plug("detect");
+    fed("drawing");
+    kiosk().signal(SIGTERM);
+    EXPECT_EQ(kiosk().wait(), 0);
+}
+
+TEST_F(KioskLife, LittleContiguousMemoryMeansOneModelAtATime) {
+    writeMachine("/proc/meminfo", "CmaTotal: 262144 kB\nCmaFree: 131072 kB\n");
+    start("[content]\nfolder = \"models\"\nseconds = 3\n");
+    ASSERT_TRUE(logs("b.glb"));
+    writeMachine("/proc/meminfo", "CmaTotal: 262144 kB\nCmaFree: 8192 kB\n");
+    ASSERT_TRUE(logs("too little contiguous memory", 5));
+    ASSERT_TRUE(logs("a.glb", 10));
+    ASSERT_TRUE(logs("b.glb", 10));
+    writeMachine("/proc/meminfo", "CmaTotal: 262144 kB\nCmaFree: 131072 kB\n");
+    ASSERT_TRUE(logs("relief 0", 5));
+    ASSERT_TRUE(logs("a.glb", 10));
+}
+
+TEST_F(KioskLife, ButtonsAndKeysDoWhatTheConfigurationSays) {
+    const SimChip chip;
+    chip.pull(17, true);
+    const UinputDevice keys(UinputDevice::Kind::Keyboard, "kiosk keys");
+    start(kContent +
+          "[buttons]\nnext = [\"GPIO17\"]\npause = [\"GPIO17:long\"]\n[keys]\nprevious = [\"x\"]\n");
+    ASSERT_TRUE(logs("a.glb"));
+    const auto press = [&chip](std::chrono::milliseconds held) {
+        chip.pull(17, false);
+        std::this_thread::sleep_for(held);
+        chip.pull(17, true);
+    };
+    press(100ms);
+    ASSERT_TRUE(logs("asked for: next"));
+    ASSERT_TRUE(logs("b.glb"));
+    press(1500ms);
+    ASSERT_TRUE(logs("asked for: pause"));
+    std::this_thread::sleep_for(2s);
+    const VmPicture paused = picture("kiosk_paused");
+    std::this_thread::sleep_for(2s);
+    EXPECT_TRUE(picture("kiosk_paused_still") == paused);
+    keys.key(KEY_X, true);
+    keys.key(KEY_X, false);
+    ASSERT_TRUE(logs("asked for: previous"));
+    ASSERT_TRUE(logs("a.glb"));
+}
+
+TEST_F(KioskLife, FingersTurnZoomAndSwipe) {
+    const UinputDevice screen(UinputDevice::Kind::TouchScreen, "kiosk touch");
+    start(kStill);
+    ASSERT_TRUE(logs("a.glb"));
+    std::this_thread::sleep_for(2s);
+    const VmPicture still = picture("kiosk_touch_still");
+    screen.touch(0, 300, 500, true);
+    for (int x = 320; x <= 600; x += 20) {
+        std::this_thread::sleep_for(20ms);
+        screen.touch(0, x, 500, false);
+    }
+    screen.release(0);
+    std::this_thread::sleep_for(2s);
+    const VmPicture turned = picture("kiosk_touch_turned");
+    EXPECT_FALSE(turned == still);
+    screen.touch(0, 450, 500, true);
+    screen.touch(1, 550, 500, true);
+    for (int way = 10; way <= 200; way += 10) {
+        std::this_thread::sleep_for(20ms);
+        screen.touch(0, 450 - way, 500, false);
+        screen.touch(1, 550 + way, 500, false);
+    }
+    screen.release(0);
+    screen.release(1);
+    std::this_thread::sleep_for(2s);
+    EXPECT_GT(brightShare(picture("kiosk_touch_near")), 1.2 * brightShare(turned));
+    screen.touch(0, 700, 400, true);
+    screen.touch(1, 700, 600, true);
+    for (int way = 20; way <= 400; way += 20) {
+        std::this_thread::sleep_for(20ms);
+        screen.touch(0, 700 - way, 400, false);
+        screen.touch(1, 700 - way, 600, false);
+    }
+    screen.release(0);
+    screen.release(1);
+    ASSERT_TRUE(logs("asked for: next"));
+    ASSERT_TRUE(logs("b.glb"));
+}
+
+} // namespace
+} // namespace franken::test
