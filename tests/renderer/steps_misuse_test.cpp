@@ -183,7 +183,7 @@ TEST(Steps, AnImageThatCannotBeDecodedIsLeftOut) {
     EXPECT_TRUE(stepped(renderer).empty());
     EXPECT_EQ(resident(renderer, *model), "yes");
     ASSERT_EQ(messages.size(), 1u);
-    EXPECT_NE(messages[0].find("image \"torn\": "), std::string::npos) << messages[0];
+    EXPECT_NE(messages[0].find("images[1] \"torn\": "), std::string::npos) << messages[0];
     EXPECT_NE(messages[0].find("[gltf.left-out]"), std::string::npos);
     const std::size_t inSteps = renderer.memory().used();
     renderer.remove(*model);
