@@ -14,7 +14,8 @@ if ! command -v $compiler >/dev/null; then
 fi
 mkdir -p "$out"
 $compiler -std=c++20 -O0 -I"$source/generator/include" -I"$source/generator/src" -I"$source/lib/base/include" \
-    "$source"/generator/src/*.cpp "$source/lib/base/src/nearest.cpp" "$source/lib/base/src/printable.cpp" "$embedded" "$source/tests/generator/text_hash.cpp" -o "$out/text_hash"
+    "$source"/generator/src/*.cpp "$source/lib/base/src/nearest.cpp" "$source/lib/base/src/printable.cpp" \
+    "$source/lib/base/src/utf8.cpp" "$embedded" "$source/tests/generator/text_hash.cpp" -o "$out/text_hash"
 expected=$("$ours")
 actual=$("$out/text_hash")
 echo "ours:  $expected"

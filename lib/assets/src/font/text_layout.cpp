@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace franken {
 namespace {
@@ -68,14 +67,14 @@ private:
             m_space = {true, true, m_layout.glyphs.size(), m_pen, m_pen};
         m_pen += count * m_pixels * m_font.advance(glyph);
         m_space.after = m_pen;
-        m_before.reset();
+        m_before = kNone;
     }
 
     void addGlyph(char32_t code) {
         const std::uint16_t glyph = m_font.glyphOf(code);
         const float advance = m_pixels * m_font.advance(glyph);
-        if (m_before)
-            m_pen += m_pixels * m_font.kerning(*m_before, glyph);
+        if (m_before != kNone)
+            m_pen += m_pixels * m_font.kerning(static_cast<std::uint16_t>(m_before), glyph);
         while (m_width > 0 && m_layout.glyphs.size() > firstOfLine() && m_pen + advance > m_width)
             wrap();
         m_layout.glyphs.push_back({code, glyph, m_pen, m_y});
@@ -101,7 +100,7 @@ private:
         }
         m_pen -= begin;
         m_space = {};
-        m_before.reset();
+        m_before = kNone;
     }
 
     void align(const TextLayout::Line& line) {
@@ -119,7 +118,8 @@ private:
     const TextAlign m_align;
     const float m_pixels, m_width, m_lineHeight, m_baseline;
     float m_pen = 0, m_y = 0;
-    std::optional<std::uint16_t> m_before; ///< The glyph on the left.
+    static constexpr int kNone = -1;
+    int m_before = kNone; ///< The glyph on the left.
     Space m_space;
 };
 
