@@ -7,6 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <sstream>
 
 namespace franken::cli {
 namespace {
@@ -38,6 +40,23 @@ private:
     posix_spawn_file_actions_t m_actions;
 };
 
+bool isInPath(const std::string& program) {
+    const char* const path = std::getenv("PATH");
+    std::istringstream folders(path != nullptr ? path : "");
+    std::error_code unreadable;
+    for (std::string folder; std::getline(folders, folder, ':');)
+        if (std::filesystem::is_regular_file(std::filesystem::path(folder) / program, unreadable))
+            return true;
+    return false;
+}
+
+/// Of a program without a slash, EACCES says as well that some folder of PATH may not be searched: where no
+/// other one has the program, it is not there.
+int spawnErrorOf(int error, const std::string& program) {
+    const bool isNowhere = error == EACCES && program.find('/') == std::string::npos && !isInPath(program);
+    return isNowhere ? ENOENT : error;
+}
+
 } // namespace
 
 Outcome runProgram(std::vector<std::string> arguments, const Streams& streams) {
@@ -50,7 +69,7 @@ Outcome runProgram(std::vector<std::string> arguments, const Streams& streams) {
     pid_t child = 0;
     if (const int failed = posix_spawnp(&child, argv[0], actions.get(), nullptr, argv.data(), environ);
         failed != 0)
-        return {failed, 0};
+        return {spawnErrorOf(failed, arguments[0]), 0};
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }

@@ -103,10 +103,23 @@ TEST_F(Cli, HelpHasAnExampleAndTheManPageNamesEverything) {
 }
 
 TEST_F(Cli, CheckSaysWhereGlslangIsMissing) {
-    const Outcome outcome = shell("PATH=/nonexistent " + std::string(kProgram) + " check sun1");
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(outcome.err.find("not installed"), std::string::npos);
-    EXPECT_EQ(outcome.out, "");
+    // A folder of that name is refused like a folder of PATH that may not be searched.
+    fs::create_directories(path("refused/glslangValidator"));
+    for (const std::string& folder : {std::string("/nonexistent"), path("refused").string()}) {
+        const Outcome outcome = shell("PATH=" + folder + " " + std::string(kProgram) + " check sun1");
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_NE(outcome.err.find("not installed"), std::string::npos) << outcome.err;
+        EXPECT_EQ(outcome.out, "");
+    }
+}
+
+TEST_F(Cli, CheckSaysWhereGlslangMayNotBeRun) {
+    fs::create_directories(path("locked"));
+    std::ofstream(path("locked/glslangValidator")) << "no program";
+    const Outcome outcome =
+        shell("PATH=" + path("locked").string() + " " + std::string(kProgram) + " check sun1");
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_NE(outcome.err.find("Permission denied"), std::string::npos) << outcome.err;
 }
 
 } // namespace
