@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/timex.h>
+
 namespace franken::test {
 namespace {
 
@@ -60,6 +62,13 @@ TEST(KioskTimetable, TellsWhenToLookAgainAndWhenToRestart) {
     EXPECT_TRUE(timetable.isRestartDue(at(6, 4, 30, 59)));
     EXPECT_FALSE(timetable.isRestartDue(at(6, 4, 31)));
     EXPECT_FALSE(Timetable(Config()).isRestartDue(at(6, 0, 0)));
+}
+
+TEST(KioskClock, AnAnswerThatFailedIsNoSynchronisedClock) {
+    EXPECT_TRUE(isKernelSynchronised(TIME_OK, STA_PLL));
+    EXPECT_FALSE(isKernelSynchronised(TIME_ERROR, STA_PLL));
+    EXPECT_FALSE(isKernelSynchronised(TIME_OK, STA_UNSYNC));
+    EXPECT_FALSE(isKernelSynchronised(-1, 0)) << "a sandbox refuses the call";
 }
 
 TEST(KioskPresence, SomebodyIsThereForTheIdleTimeAndWhileThereIsMotion) {

@@ -210,7 +210,10 @@ TEST(KioskAppliance, TheUnitIsSoundAndLittleIsExposed) {
     const std::string label = "Overall exposure level for kiosk.service: ";
     const std::size_t at = rated.out.find(label);
     ASSERT_NE(at, std::string::npos) << rated.out << rated.err;
-    EXPECT_LE(std::stod(rated.out.substr(at + label.size())), 1.0) << "the README says 0.9";
+    EXPECT_LE(std::stod(rated.out.substr(at + label.size())), 1.6) << "the README says 1.6";
+    // Both would lower it, at a price: no word of what is plugged in, and none of whether the clock is right.
+    EXPECT_EQ(unit.find("\nPrivateNetwork=yes"), std::string::npos);
+    EXPECT_EQ(unit.find("\nProtectClock=yes"), std::string::npos);
 }
 
 TEST(KioskAppliance, InstallsItsFiles) {

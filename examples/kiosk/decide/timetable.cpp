@@ -48,10 +48,15 @@ int Timetable::secondsToLook(const std::tm& local) const { return std::max(1, 60
 
 bool Timetable::isRestartDue(const std::tm& local) const { return m_restart == minuteOf(local); }
 
+bool isKernelSynchronised(int state, int status) {
+    return state >= 0 && state != TIME_ERROR && (status & STA_UNSYNC) == 0;
+}
+
 bool isClockSynchronised(const std::string& root) {
     timex query{};
-    const bool isKernelSure = adjtimex(&query) != TIME_ERROR && (query.status & STA_UNSYNC) == 0;
-    return isKernelSure || access((root + "/run/systemd/timesync/synchronized").c_str(), F_OK) == 0;
+    const int state = adjtimex(&query); // Below 0 where a sandbox forbids the question.
+    return isKernelSynchronised(state, query.status) ||
+           access((root + "/run/systemd/timesync/synchronized").c_str(), F_OK) == 0;
 }
 
 } // namespace kiosk

@@ -34,6 +34,9 @@ private:
     bool m_hasHours = false;
 };
 
+/// What adjtimex(2) answered, and timex::status. An answer that failed is none.
+bool isKernelSynchronised(int state, int status);
+
 /// Whether the clock can be trusted: the kernel says that it is synchronised, or systemd-timesyncd has left
 /// its mark below `root`.
 bool isClockSynchronised(const std::string& root = {});
