@@ -37,8 +37,12 @@ void Playlist::markBroken(const Path& model, std::string reason) { m_broken[mode
 
 void Playlist::changed(const Path& file) {
     std::erase_if(m_broken, [&file](const auto& entry) {
-        return entry.first == file || entry.first.parent_path() == file.parent_path();
+        return isBelow(file, entry.first.parent_path()) || isBelow(entry.first, file);
     });
+}
+
+bool Playlist::isBelow(const Path& path, const Path& folder) {
+    return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
 }
 
 bool Playlist::contains(const Path& model) const {

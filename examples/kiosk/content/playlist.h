@@ -23,12 +23,18 @@ public:
     std::optional<Path> after(const std::optional<Path>& shown, int direction = 1) const;
 
     void markBroken(const Path& model, std::string reason);
-    /// Something in the folder of a broken model changed: it is tried again.
+    /// A file in a broken model's folder, or deeper, changed, or all of a folder may have: the model is tried
+    /// again.
     void changed(const Path& file);
+    /// Tries all broken models again.
+    void forgetBroken() { m_broken.clear(); }
 
     bool contains(const Path& model) const;
     const std::vector<Path>& models() const { return m_models; }
     const std::map<Path, std::string>& broken() const { return m_broken; }
+
+    /// Whether it is in the folder, or deeper.
+    static bool isBelow(const Path& path, const Path& folder);
 
 private:
     std::vector<Path> m_models;

@@ -44,6 +44,13 @@ bool isFolder(const fs::directory_entry& entry) {
     return entry.is_directory(error);
 }
 
+/// Nobody writes to it through this name: it is there at once, and nothing is closed.
+bool isLink(const fs::path& path) {
+    std::error_code error;
+    const std::uintmax_t names = fs::hard_link_count(path, error);
+    return fs::is_symlink(path, error) || (!error && names > 1);
+}
+
 } // namespace
 
 WatchedFolder::WatchedFolder(fs::path folder, franken::Log log)
@@ -58,9 +65,10 @@ WatchedFolder::~WatchedFolder() {
 
 void WatchedFolder::watch(const fs::path& folder) {
     const int watched = inotify_add_watch(m_inotify, folder.c_str(), kEvents);
-    if (watched >= 0)
+    if (watched >= 0) {
         m_folders[watched] = folder;
-    else if (errno != ENOENT)
+        m_unwatched.erase(folder);
+    } else if (errno != ENOENT && m_unwatched.insert(folder).second)
         m_log(LogLevel::Warning, folder.string() + ": cannot be watched: " + std::strerror(errno));
 }
 
@@ -92,7 +100,7 @@ bool WatchedFolder::handle(const inotify_event& event, std::vector<fs::path>& ch
     const fs::path path = event.len == 0 ? folder->second : folder->second / event.name;
     if (isHidden(path))
         return false;
-    if ((event.mask & IN_CREATE) != 0) {
+    if ((event.mask & IN_CREATE) != 0 && !isLink(path)) {
         m_beingWritten.insert(path);
         return false;
     }

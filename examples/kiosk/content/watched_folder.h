@@ -13,8 +13,8 @@ struct inotify_event;
 namespace kiosk {
 
 /// A folder of models and the folders in it, watched by inotify(7). A file that is being written is not there
-/// before its writer closes it, or renames it to its name; hidden files (as rsync and Syncthing make while
-/// they copy) are none of ours.
+/// before its writer closes it, renames it to its name, or links it there; hidden files (as rsync and
+/// Syncthing make while they copy) are none of ours.
 class WatchedFolder {
 public:
     /// The folder need not be there (yet): rescan() looks for it.
@@ -24,7 +24,8 @@ public:
     WatchedFolder& operator=(const WatchedFolder&) = delete;
 
     int descriptor() const { return m_inotify; }
-    /// Reads what happened: the files that were completed, replaced or removed.
+    /// Reads what happened: the files that were completed, replaced or removed; the folder itself where more
+    /// may have happened in it.
     std::vector<std::filesystem::path> dispatch();
     /// Watches what is there now: for a folder that appears late (a data partition, a USB stick).
     void rescan();
@@ -44,6 +45,7 @@ private:
     int m_inotify;
     std::map<int, std::filesystem::path> m_folders; ///< By watch descriptor.
     std::set<std::filesystem::path> m_beingWritten;
+    std::set<std::filesystem::path> m_unwatched; ///< Folders that cannot be watched: each is reported once.
 };
 
 } // namespace kiosk
