@@ -2,6 +2,7 @@
 #include "kiosk/frame_command.h"
 
 #include "franken/png.h"
+#include "kiosk/content/sky.h"
 #include "kiosk/machine/monitor.h"
 #include "kiosk/screen.h"
 #include "kiosk/show/stage.h"
@@ -70,6 +71,12 @@ Result<void> drawFrame(const DrawFrame& command, const Config& config, const fra
         target.rotation = *options.screen.rotation;
     stage.setTarget(target, (*surface)->srgbTarget());
     stage.configure(config);
+    if (!config.show.sky.empty()) {
+        const Result<Sky> sky = readSky(config.show.sky);
+        if (!sky)
+            return sky.error();
+        stage.setSky(*sky);
+    }
     Result<LoadedModel> model = firstModel(config, log);
     if (!model)
         return model.error();

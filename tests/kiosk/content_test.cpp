@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "kiosk/content/background_reader.h"
 #include "kiosk/content/loader.h"
 #include "kiosk/content/playlist.h"
 #include "kiosk/content/watched_folder.h"
 #include "support/shell.h"
 
 #include <gtest/gtest.h>
+
+#include <poll.h>
 
 namespace franken::test {
 namespace {
@@ -32,6 +35,12 @@ TEST(KioskPlaylist, SkipsBrokenOnesUntilTheyChange) {
     EXPECT_EQ(list.after("/m/a"), "/n/c");
     list.changed("/m/texture.png");
     EXPECT_EQ(list.after("/m/a"), "/m/b");
+    list.markBroken("/m/b", "its buffer is missing");
+    list.changed("/m/buffers/b.bin");
+    EXPECT_EQ(list.after("/m/a"), "/m/b") << "a deeper folder";
+    list.markBroken("/m/b", "cut off");
+    list.changed("/m");
+    EXPECT_EQ(list.after("/m/a"), "/m/b") << "anything in the folder";
     for (const char* each : {"/m/a", "/m/b", "/n/c"})
         list.markBroken(each, "gone");
     EXPECT_FALSE(list.after("/m/a")) << "nothing whole is left";
@@ -75,6 +84,15 @@ TEST_F(KioskFolder, AFileIsThereOnceItIsRenamedAndGoneOnceItIsRemoved) {
     EXPECT_TRUE(folder.models().empty());
 }
 
+TEST_F(KioskFolder, ALinkIsThereAtOnce) {
+    write(".hidden");
+    kiosk::WatchedFolder folder(m_folder, [](LogLevel, std::string_view) {});
+    fs::create_symlink(m_folder / ".hidden", m_folder / "a.glb");
+    fs::create_hard_link(m_folder / ".hidden", m_folder / "b.glb");
+    EXPECT_EQ(folder.dispatch(), (Paths{m_folder / "a.glb", m_folder / "b.glb"}));
+    EXPECT_EQ(folder.models(), (Paths{m_folder / "a.glb", m_folder / "b.glb"}));
+}
+
 TEST_F(KioskFolder, FoldersInItAreSeenToo) {
     write("z.gltf");
     kiosk::WatchedFolder folder(m_folder, [](LogLevel, std::string_view) {});
@@ -99,6 +117,22 @@ TEST_F(KioskFolder, AFolderMayComeAndGo) {
     folder.dispatch();
     EXPECT_FALSE(folder.present());
     EXPECT_TRUE(folder.models().empty());
+}
+
+TEST_F(KioskFolder, TheLastRequestOfAReaderIsAnswered) {
+    std::mutex gate;
+    gate.lock();
+    kiosk::BackgroundReader<std::string> reader([&gate](const fs::path& path, const std::stop_token&) {
+        const std::lock_guard wait(gate);
+        return path.string();
+    });
+    reader.request("first");
+    reader.request("second"); // Returns although the first is being read.
+    gate.unlock();
+    pollfd ready{reader.descriptor(), POLLIN, 0};
+    ASSERT_EQ(poll(&ready, 1, 10'000), 1);
+    EXPECT_EQ(reader.take(), "second");
+    EXPECT_FALSE(reader.take());
 }
 
 TEST_F(KioskFolder, CaptionsComeFromATextBesideOrFromTheName) {

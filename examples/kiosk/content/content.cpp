@@ -9,8 +9,17 @@ namespace fs = std::filesystem;
 using franken::LogLevel;
 
 namespace {
+
 constexpr Time kLookAgain = std::chrono::seconds(5);
+
+/// Whether a model is read from that file, too: its caption, or a buffer or texture of a .gltf.
+bool isPartOf(const fs::path& file, const fs::path& model) {
+    if (file.extension() == ".txt")
+        return fs::path(model).replace_extension(".txt") == file;
+    return model.extension() == ".gltf" && Playlist::isBelow(file, model.parent_path());
 }
+
+} // namespace
 
 Content::Content(EventLoop& loop, franken::Log log, EventLoop::Handler arrived)
     : m_loop(loop), m_log(std::move(log)), m_arrived(std::move(arrived)) {
@@ -23,6 +32,7 @@ Content::Content(EventLoop& loop, franken::Log log, EventLoop::Handler arrived)
 
 void Content::configure(const Config& config) {
     m_listed.assign(config.content.playlist.begin(), config.content.playlist.end());
+    m_playlist.forgetBroken();
     if (config.content.folder != m_folderName)
         watchFolder(config.content.folder);
     refresh();
@@ -44,11 +54,20 @@ void Content::watchFolder(const std::string& folder) {
 
 void Content::folderChanged() {
     for (const fs::path& file : m_folder->dispatch())
-        m_playlist.changed(file), m_replaced.insert(file);
+        noteChange(file);
     if (!m_folder->present())
         m_folderTimer->arm(now() + kLookAgain);
     refresh();
     m_arrived();
+}
+
+void Content::noteChange(const fs::path& file) {
+    m_playlist.changed(file);
+    const std::vector<fs::path>& models = m_playlist.models();
+    const bool isModel = std::find(models.begin(), models.end(), file) != models.end();
+    for (const fs::path& model : models)
+        if (model == file || (!isModel && isPartOf(file, model)))
+            m_replaced.insert(model);
 }
 
 void Content::refresh() {

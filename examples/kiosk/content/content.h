@@ -3,6 +3,7 @@
 
 #include "franken/log.h"
 #include "kiosk/config/config.h"
+#include "kiosk/content/background_reader.h"
 #include "kiosk/content/loader.h"
 #include "kiosk/content/playlist.h"
 #include "kiosk/content/watched_folder.h"
@@ -30,7 +31,7 @@ public:
     /// What want() would read.
     std::optional<std::filesystem::path> following(const std::optional<std::filesystem::path>& shown,
                                                    int direction = 1) const;
-    /// Whether the file was replaced since it was read.
+    /// Whether the file, or one that it may be made of, was replaced since it was read.
     bool isReplaced(const std::filesystem::path& model) const { return m_replaced.contains(model); }
     /// Whether something is being read, or read and not taken.
     bool isReading() const { return m_reading.has_value(); }
@@ -46,6 +47,7 @@ public:
 private:
     void refresh();
     void folderChanged();
+    void noteChange(const std::filesystem::path& file);
     void watchFolder(const std::string& folder);
 
     EventLoop& m_loop;
@@ -54,7 +56,7 @@ private:
     std::vector<std::filesystem::path> m_listed; ///< By the configuration.
     std::string m_folderName;
     Playlist m_playlist;
-    Loader m_loader;
+    BackgroundReader<LoadedModel> m_loader{loadModel};
     std::unique_ptr<WatchedFolder> m_folder;
     std::unique_ptr<EventLoop::Source> m_loaderSource, m_folderSource;
     std::unique_ptr<EventLoop::Timer> m_folderTimer; ///< Looks for a folder that is not there.

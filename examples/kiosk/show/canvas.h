@@ -24,6 +24,8 @@ public:
     franken::OverlayQuad quad(const franken::DrawTarget& target) const;
     /// Gives the memory back.
     void release();
+    /// Forgets its objects: their names may be those of another context's objects by now.
+    void contextLost() { m_framebuffer = 0; }
 
 private:
     franken::Result<void> make(int width, int height);

@@ -30,18 +30,11 @@ Show::Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::H
     : m_config(config),
       m_log(std::move(log)),
       m_changed(std::move(changed)),
+      m_skyReader([](const auto& path, const auto&) { return readSky(path); }),
       m_captions(config.show.caption),
       m_statistics(config.show.statistics) {
     m_content = std::make_unique<Content>(loop, m_log, [this] { contentArrived(); });
-    m_skySource = loop.onReadable(m_skyLoader.descriptor(), [this] {
-        if (const std::optional<SkyLoader::Sky> sky = m_skyLoader.take(); sky && !*sky)
-            m_log(LogLevel::Error, "the sky: " + franken::toString(sky->error()));
-        else if (sky)
-            m_sky = **sky;
-        if (m_stage)
-            m_stage->setSky(m_sky);
-        m_changed();
-    });
+    m_skySource = loop.onReadable(m_skyReader.descriptor(), [this] { skyArrived(); });
     m_transition.configure(seconds(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
     m_content->configure(config);
     requestSky();
@@ -50,9 +43,23 @@ Show::Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::H
 void Show::requestSky() {
     m_sky.reset();
     if (!m_config.show.sky.empty())
-        m_skyLoader.request(m_config.show.sky);
-    else if (m_stage)
+        return m_skyReader.request(m_config.show.sky);
+    m_skyReader.cancel();
+    if (m_stage)
         m_stage->setSky(nullptr);
+}
+
+void Show::skyArrived() {
+    const std::optional<Result<Sky>> sky = m_skyReader.take();
+    if (!sky)
+        return;
+    if (*sky)
+        m_sky = **sky;
+    else
+        m_log(LogLevel::Error, "the sky: " + franken::toString(sky->error()));
+    if (m_stage)
+        m_stage->setSky(m_sky);
+    m_changed();
 }
 
 void Show::configure(const Config& config) {
@@ -87,7 +94,7 @@ Result<void> Show::open(const platform::Surface& surface) {
 
 void Show::contextLost() {
     if (m_stage)
-        m_stage->renderer().contextLost();
+        m_stage->contextLost();
     m_stage.reset();
     m_transition.clear();
     m_before.reset();
@@ -117,9 +124,12 @@ void Show::contentArrived() {
     const std::optional<std::filesystem::path> path = shown != nullptr ? shown->path : m_before;
     if (shown != nullptr && (!m_content->playlist().contains(*path) || m_content->isReplaced(*path)))
         m_transition.next();
-    const bool isStale = m_stage->next() != nullptr && !m_content->playlist().contains(m_stage->next()->path);
+    const Exhibit* next = m_stage->next();
+    const bool isStale =
+        next != nullptr && (!m_content->playlist().contains(next->path) || m_content->isReplaced(next->path));
+    // The shown model follows itself only where its file was replaced.
     const bool isSurpassed =
-        m_direction > 0 && m_stage->next() != nullptr && m_content->following(path) != m_stage->next()->path;
+        m_direction > 0 && next != nullptr && path != next->path && m_content->following(path) != next->path;
     if (isStale || isSurpassed)
         m_stage->dropNext();
     if (!m_stage->hasNext() && !m_content->isReading() && (m_mayPreload || shown == nullptr))

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "franken/platform/surface.h"
+#include "kiosk/content/background_reader.h"
 #include "kiosk/content/content.h"
-#include "kiosk/content/sky_loader.h"
+#include "kiosk/content/sky.h"
 #include "kiosk/control/action.h"
 #include "kiosk/decide/relief.h"
 #include "kiosk/report/statistics.h"
@@ -51,6 +52,7 @@ public:
     Stage* stage() { return m_stage.get(); }
 
 private:
+    void skyArrived();
     void contentArrived();
     void wantNext(int direction = 1);
     void change(Time now);
@@ -62,9 +64,9 @@ private:
     franken::Log m_log;
     EventLoop::Handler m_changed;
     std::unique_ptr<Content> m_content;
-    SkyLoader m_skyLoader;
+    BackgroundReader<franken::Result<Sky>> m_skyReader;
     std::unique_ptr<EventLoop::Source> m_skySource;
-    std::shared_ptr<const franken::BakedSky> m_sky;
+    Sky m_sky;
     std::unique_ptr<Stage> m_stage;
     Transition m_transition;
     LightControls m_lights;

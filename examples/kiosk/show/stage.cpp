@@ -70,7 +70,12 @@ void Stage::configure(const Config& config) {
     light();
 }
 
-void Stage::setSky(std::shared_ptr<const franken::BakedSky> sky) {
+void Stage::contextLost() {
+    m_canvas.contextLost();
+    m_renderer.contextLost();
+}
+
+void Stage::setSky(Sky sky) {
     m_sky = std::move(sky);
     const bool hasBox = m_sky && m_sky->skybox.size > 0;
     for (const Result<void>& set : {m_renderer.setSkybox(hasBox ? &m_sky->skybox : nullptr),

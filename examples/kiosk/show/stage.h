@@ -4,6 +4,7 @@
 #include "franken/renderer.h"
 #include "kiosk/config/config.h"
 #include "kiosk/content/loader.h"
+#include "kiosk/content/sky.h"
 #include "kiosk/report/statistics.h"
 #include "kiosk/show/canvas.h"
 #include "kiosk/show/labels.h"
@@ -36,9 +37,12 @@ public:
     Stage(const franken::Gl& gl, const std::string& driver, std::filesystem::path manifest,
           const Config& config, franken::Log log);
 
-    /// What of the configuration may change while it runs. `sky` outlives the call.
+    /// The context is gone, and all that was in it: the stage is good for nothing else.
+    void contextLost();
+
+    /// What of the configuration may change while it runs.
     void configure(const Config& config);
-    void setSky(std::shared_ptr<const franken::BakedSky> sky);
+    void setSky(Sky sky);
     void setControls(const LightControls& controls);
     void setTarget(const franken::DrawTarget& target, bool srgbTarget);
 
@@ -102,7 +106,7 @@ private:
     bool m_srgbTarget = false;
     franken::Look m_look;
     LightControls m_controls;
-    std::shared_ptr<const franken::BakedSky> m_sky;
+    Sky m_sky;
     std::unique_ptr<Exhibit> m_shown, m_next;
     std::vector<franken::ProgramUse> m_warmed, m_unwarmed, m_unwritten;
     std::size_t m_listed = 0; ///< Programs of earlier runs.
