@@ -19,7 +19,7 @@ namespace FRANKEN_API franken {
 /// with TrueType outlines.
 inline constexpr std::size_t kMaxFontBytes = std::size_t{32} << 20;
 
-/// The largest and the smallest size of text, in pixels of an em.
+/// The smallest and the largest size of text, in pixels of an em.
 inline constexpr float kMinTextPixels = 4, kMaxTextPixels = 256;
 /// The largest width and height of a glyph's bitmap.
 inline constexpr int kMaxGlyphPixels = 500;

@@ -4,14 +4,17 @@
 #include "franken/api.h"
 #include "franken/font.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 namespace FRANKEN_API franken {
 
+/// Where the lines of a block stand in its width.
 enum class TextAlign { Left, Center, Right };
 
+/// How text is set.
 struct TextStyle {
     float pixels = 24; ///< Size of the em; kMinTextPixels to kMaxTextPixels.
     float width = 0; ///< Of the block, in pixels: longer lines wrap at spaces; 0: as wide as its widest line.
@@ -19,6 +22,7 @@ struct TextStyle {
     float lineSpacing = 1;             ///< Times the font's own; above 0.
 };
 
+/// A character, and where its glyph stands.
 struct PlacedGlyph {
     char32_t code = 0;
     std::uint16_t glyph = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/text_layout.h"
 
+#include "franken/index.h"
 #include "franken/utf8.h"
 
 #include <algorithm>
@@ -118,7 +119,6 @@ private:
     const TextAlign m_align;
     const float m_pixels, m_width, m_lineHeight, m_baseline;
     float m_pen = 0, m_y = 0;
-    static constexpr int kNone = -1;
     int m_before = kNone; ///< The glyph on the left.
     Space m_space;
 };

@@ -12,7 +12,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <iterator>
 #include <map>
 
 namespace franken {
@@ -122,23 +121,6 @@ float heightAt(const HeightMap& map, const glm::vec2& uv) {
     return row(t.texel[0]) * (1 - t.share) + row(t.texel[1]) * t.share;
 }
 
-namespace {
-
-/// What a deformation will move is displaced, before it is moved.
-void unbind(Primitive& primitive) {
-    const Vertices& bind = primitive.deformation->bind;
-    primitive.positions = bind.positions;
-    primitive.normals = bind.normals;
-    primitive.tangents = bind.tangents;
-    for (std::size_t set = 0; set < std::size(bind.uv); ++set)
-        if (!bind.uv[set].empty())
-            primitive.uv[set] = bind.uv[set];
-    if (!bind.colors.empty())
-        primitive.colors = bind.colors;
-}
-
-} // namespace
-
 Result<void> displace(Primitive& primitive, const HeightMap& map, std::span<const glm::vec2> tangentUv) {
     if (map.image.width < 1 || map.image.height < 1)
         return Error{"height.image", map.image.name, "the height map is empty", "load a picture into it"};
@@ -146,8 +128,7 @@ Result<void> displace(Primitive& primitive, const HeightMap& map, std::span<cons
         return Error{"height.uv", "TEXCOORD_" + std::to_string(map.uvSet),
                      "a primitive lacks the texture coordinates of the height map",
                      "choose the other stream, or export the model with texture coordinates"};
-    if (primitive.deformation)
-        unbind(primitive);
+    deform(primitive, {}); // What will be moved is displaced before it is.
     const Groups groups = groupsOf(primitive);
     move(primitive, map, groups);
     computeNormals(primitive, groups);

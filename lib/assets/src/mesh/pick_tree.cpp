@@ -181,7 +181,7 @@ private:
     }
 
     void testPosed(PickDrawable drawable, const Pose& pose, const std::vector<NodeWorld>& nodes) {
-        Instance moved;
+        Instance moved; // Without a name, which would be allocated.
         const Instance& instance = m_data.outline.instances[static_cast<std::size_t>(drawable.instance)];
         moved.nodeIndex = instance.nodeIndex;
         moved.skin = instance.skin;

@@ -16,8 +16,8 @@ struct CodePoint {
 /// The first code point of a text that is not empty (RFC 3629: no overlong forms, no surrogates).
 CodePoint decodeUtf8(std::string_view text);
 
-/// Whether it is shown by nothing: control characters, line ends, and what Unicode calls default-ignorable (marks of
-/// direction, joiners, fillers, variation selectors, tags).
+/// Whether nothing is seen of it: control characters, line ends, and what Unicode calls default-ignorable
+/// (marks of direction, joiners, fillers, variation selectors, tags).
 bool isUnseen(char32_t code);
 
 } // namespace franken
