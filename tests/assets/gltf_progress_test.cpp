@@ -44,6 +44,20 @@ TEST(GltfProgress, GoesFromNothingToOneAndSaysWhatIsDone) {
         })) << part;
 }
 
+TEST(GltfProgress, NeverPassesOneWhereANodeHasManyInstances) {
+    GltfFile file = threeTriangles();
+    const int places = file.floats("VEC3", std::vector<float>(30, 1));
+    file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"TRANSLATION", places}};
+    float last = 0;
+    LoadOptions options;
+    options.progress = [&](float done, std::string_view) {
+        EXPECT_GE(done, last);
+        EXPECT_LE(done, 1);
+        last = done;
+    };
+    ASSERT_TRUE(file.load(options));
+}
+
 TEST(GltfProgress, AnExceptionOfTheCallbackIsDropped) {
     LoadOptions options;
     options.progress = [](float, std::string_view) { throw 1; };

@@ -54,9 +54,11 @@ public:
         m_scene.instances.reserve(static_cast<std::size_t>(
             std::count_if(model.nodes.begin(), model.nodes.end(),
                           [](const tinygltf::Node& node) { return node.mesh != kNone; })));
-        for (const int node : depthFirst(model, sceneRoots(model)))
+        for (const int node : depthFirst(model, sceneRoots(model))) {
             if (!need(node) || !addMesh(node) || !addCamera(node) || !addLight(node))
                 return false;
+            ++m_walked;
+        }
         std::stable_sort(m_scene.cameras.begin(), m_scene.cameras.end(),
                          [](const Camera& a, const Camera& b) { return a.index < b.index; });
         return true;
@@ -75,6 +77,7 @@ private:
     Document& m_source;
     const NodePlaces& m_places;
     Scene& m_scene;
+    std::size_t m_walked = 0;                            ///< Nodes.
     std::vector<NodeWorld> m_worlds;                     ///< By file node.
     std::map<std::pair<int, MeshUse>, int> m_still;      ///< From file meshes to Scene::meshes.
     std::map<std::pair<int, MeshUse>, Mesh> m_deforming; ///< By file mesh, as nothing has moved them.
@@ -157,8 +160,7 @@ bool Walker::addMesh(int index) {
     const tinygltf::Node& node = m_source.model.nodes[at(index)];
     if (node.mesh == kNone)
         return true;
-    const float share =
-        static_cast<float>(m_scene.instances.size()) / static_cast<float>(m_source.model.nodes.size());
+    const float share = static_cast<float>(m_walked) / static_cast<float>(m_source.model.nodes.size());
     if (!m_source.proceed(kReadImages + (1 - kReadImages) * share, "meshes"))
         return false;
     MeshUse use;
