@@ -70,10 +70,20 @@ TEST(Font, KernsByTheTableKernAndRatherByPairPositioning) {
     file.tables["GPOS"] = pairPositioning();
     const Font font = fontOf(file);
     EXPECT_FLOAT_EQ(font.kerning(SquareA, TriangleV), -0.2f) << "format 1";
+    EXPECT_FLOAT_EQ(font.kerning(SquareA, RoundO), -0.1f) << "the second of a list";
     EXPECT_FLOAT_EQ(font.kerning(TriangleV, SquareA), -0.3f) << "format 2, behind an extension";
     EXPECT_FLOAT_EQ(font.kerning(TriangleV, HalvesB), -0.3f);
     EXPECT_FLOAT_EQ(font.kerning(TriangleV, RoundO), 0);
     EXPECT_FLOAT_EQ(font.kerning(RoundO, TriangleV), 0);
+}
+
+// Least distances and kerning across the line are none.
+TEST(Font, KernsByTheTableKernAlongTheLineAlone) {
+    for (const int coverage : {0, 3, 5, 0x0201}) {
+        FontFile file = soundFont();
+        file.tables["kern"].replace(8, 2, u16({coverage}));
+        EXPECT_EQ(fontOf(file).kerning(SquareA, TriangleV), 0) << coverage;
+    }
 }
 
 // At 100 pixels, a unit is a tenth of one: squares are exact, and areas of curves are known.
@@ -140,6 +150,29 @@ TEST(Font, PutsPartsByScaledOffsetsAndByPoints) {
     EXPECT_EQ(hung.top, -80);
     EXPECT_EQ(hung.width, 80) << "the lower right corner of one is the lower left one of the other";
     EXPECT_EQ(hung.height, 40);
+}
+
+TEST(Font, ScalesAndTurnsParts) {
+    constexpr int kWordsAndOffsets = 3, kTwoScales = 64, kMatrix = 128, kOne = 16384;
+    const GlyphBitmap scaled =
+        bitmapOfComposite(u16({kWordsAndOffsets | kTwoScales, SquareA, 0, 0, kOne / 2, kOne / 4}));
+    EXPECT_EQ(scaled.left, 5);
+    EXPECT_EQ(scaled.width, 40);
+    EXPECT_EQ(scaled.height, 20);
+    const GlyphBitmap turned =
+        bitmapOfComposite(u16({kWordsAndOffsets | kMatrix, TriangleV, 0, 0, 0, kOne, -kOne, 0}));
+    EXPECT_EQ(turned.left, -80) << "x becomes y, and y becomes -x";
+    EXPECT_EQ(turned.width, 80);
+    EXPECT_EQ(turned.top, -100);
+    EXPECT_EQ(turned.height, 100);
+}
+
+TEST(Font, AGlyphWithoutContoursIsEmptyThoughItHasBytes) {
+    FontFile file = soundFont();
+    std::vector<std::string> glyphs = soundGlyphs();
+    glyphs[SquareA] = u16({0, 0, 0, 0, 0});
+    file.setGlyphs(glyphs);
+    EXPECT_EQ(bitmapOf(fontOf(file), SquareA, 100).width, 0);
 }
 
 TEST(Font, ShowsABoxForWhatIsMissingWhereTheFontShowsNothing) {

@@ -106,6 +106,12 @@ const std::vector<Row> kRefused = {
      [](FontFile& font) { put32(font.tables["cmap"], kMap + 16 + 5 * 12 + 4, 0x110000); }, "font.format"},
     {"no segments", segments(kMap + 6, 0), "font.format"},
     {"more segments than there are", segments(kMap + 6, 0xFFFE), "font.format"},
+    {"segments whose offsets to lists are cut off",
+     [](FontFile& font) {
+         font.tables["cmap"] = segmentMap();
+         font.tables["cmap"].resize(kMap + 16 + 8 * 5 - 2);
+     },
+     "font.format"},
     {"segments out of order", segments(kMap + 14, 'V'), "font.format"},
     {"a segment that ends before it begins", segments(kMap + 14, 1), "font.format"},
 };

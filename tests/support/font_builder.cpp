@@ -128,7 +128,9 @@ std::string segmentMap() {
 
 std::string pairPositioning() {
     constexpr int kAdvance = 4;
-    const std::string list = u16({1, 12, kAdvance, 0, 1, 18, 1, 1, SquareA, 1, TriangleV, -200});
+    constexpr int kPlacement = 1; // Of both glyphs of a pair, which does not count.
+    const std::string list = u16({1, 12, kPlacement | kAdvance, kPlacement, 1, 18, 1, 1, SquareA, 2}) +
+                             u16({TriangleV, 77, -200, 55, RoundO, 77, -100, 55});
     const std::string matrix = u16({2, 16 + 2 * 2 * 2, kAdvance, 0, 30, 40, 2, 2, 0, 0, 0, -300}) +
                                u16({1, 1, TriangleV}) + u16({1, TriangleV, 1, 1, 0}) +
                                u16({2, 2, SquareA, SquareA, 1, HalvesB, HalvesB, 1});

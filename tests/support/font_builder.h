@@ -55,7 +55,7 @@ FontFile soundFont();
 /// A table cmap of segments (format 4), which knows U+0020, A, B, V, o.
 std::string segmentMap();
 
-/// A table GPOS: 'A' 'V' -200 by format 1; 'V' before 'A' or 'B' -300 by format 2. The second one's subtable
+/// A table GPOS: 'A' 'V' -200 and 'A' 'o' -100 by format 1; 'V' before 'A' or 'B' -300 by format 2. The second one's subtable
 /// stands behind an extension.
 std::string pairPositioning();
 

@@ -111,11 +111,11 @@ public:
             return glyphError(glyph, "there is no such glyph");
         const std::size_t begin = m_tables.glyphOffsets[glyph], end = m_tables.glyphOffsets[glyph + 1U];
         const FontTable bytes = m_tables.outlines.part(begin, end - begin);
-        if (bytes.size() == 0)
-            return {};
         const int contours = bytes.s16(0);
-        return contours >= 0 ? readContours(bytes, glyph, static_cast<std::size_t>(contours))
-                             : readParts(bytes, glyph, depth);
+        if (contours == 0)
+            return {};
+        return contours > 0 ? readContours(bytes, glyph, static_cast<std::size_t>(contours))
+                            : readParts(bytes, glyph, depth);
     }
 
     Outline outline;
