@@ -224,6 +224,22 @@ std::vector<MalformedFile> links() {
                   {"TRANSLATION", 0}, {"SCALE", file.floats("VEC3", {1, 1, 1})}};
           },
           "gltf.type", "/EXT_mesh_gpu_instancing/attributes/SCALE"},
+         {"instances-moved-by-normalized-bytes",
+          [](GltfBuilder& file) {
+              file.json["nodes"][0].erase("skin");
+              const int moves = file.accessor("VEC3", GltfBuilder::kByte, std::vector<signed char>{1, 2, 3});
+              file.json["accessors"][static_cast<std::size_t>(moves)]["normalized"] = true;
+              file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+                  {"TRANSLATION", moves}};
+          },
+          "gltf.type", "/EXT_mesh_gpu_instancing/attributes/TRANSLATION"},
+         {"instances-scaled-by-four-numbers",
+          [](GltfBuilder& file) {
+              file.json["nodes"][0].erase("skin");
+              file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {
+                  {"SCALE", file.floats("VEC4", {1, 1, 1, 1})}};
+          },
+          "gltf.type", "/EXT_mesh_gpu_instancing/attributes/SCALE"},
          {"instances-past-the-accessors",
           [](GltfBuilder& file) {
               file.json["nodes"][0].erase("skin");
