@@ -198,6 +198,8 @@ const MotionFault kMotionFaults[] = {
     {"animations[0].channels[0].node", [](Scene& scene) { scene.animations[0].channels[0].node = 1; }},
     {"animations[0].channels[0].sampler", [](Scene& scene) { scene.animations[0].channels[0].sampler = 1; }},
     {"animations[0].channels[0]", [](Scene& scene) { scene.animations[0].samplers[0].values.pop_back(); }},
+    {"animations[0].channels[1]",
+     [](Scene& scene) { scene.animations[0].channels.resize(2, scene.animations[0].channels[0]); }},
 };
 
 TEST(CheckedScene, NamesWhatIsWrongWithItsMotion) {

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <span>
+#include <utility>
 
 namespace franken {
 namespace {
@@ -44,11 +47,15 @@ Result<void> checkAnimation(const Scene& scene, const Animation& animation, cons
         if (Result<void> checked = checkSampler(animation.samplers[s], elementOf(where + ".samplers", s));
             !checked)
             return checked;
-    for (std::size_t c = 0; c < animation.channels.size(); ++c)
-        if (Result<void> checked =
-                checkChannel(scene, animation, animation.channels[c], elementOf(where + ".channels", c));
-            !checked)
+    std::set<std::pair<int, AnimationChannel::Path>> moved;
+    for (std::size_t c = 0; c < animation.channels.size(); ++c) {
+        const AnimationChannel& channel = animation.channels[c];
+        const std::string place = elementOf(where + ".channels", c);
+        if (Result<void> checked = checkChannel(scene, animation, channel, place); !checked)
             return checked;
+        if (!moved.emplace(channel.node, channel.path).second)
+            return fault(place, "a channel before it moves the same");
+    }
     return {};
 }
 
@@ -74,6 +81,28 @@ bool fit(const Vertices& changed, const Vertices& whole) {
            fits(changed.uv[1], whole.uv[1]) && fits(changed.colors, whole.colors);
 }
 
+bool areInfluences(const Deformation& deformation, std::size_t vertices) {
+    constexpr std::uint32_t kMaxJoints = 65536; // As many as a file can name.
+    constexpr double kRounding = 0.01;          // Of weights that were a byte each.
+    const std::span<const Influence> all = deformation.influences;
+    const std::size_t each = deformation.influencesPerVertex;
+    if (each == 0 || all.empty())
+        return all.empty() && each * vertices == 0;
+    if (all.size() % each != 0 || all.size() / each != vertices)
+        return false;
+    for (std::size_t vertex = 0; vertex < vertices; ++vertex) {
+        double sum = 0;
+        for (const auto& [joint, weight] : all.subspan(vertex * each, each)) {
+            if (joint >= kMaxJoints || !(weight >= 0))
+                return false;
+            sum += weight;
+        }
+        if (!(std::abs(sum - 1) <= kRounding))
+            return false;
+    }
+    return true;
+}
+
 Result<void> checkDeformation(const Primitive& primitive, const std::string& where) {
     const Deformation& deformation = *primitive.deformation;
     const Vertices& bind = deformation.bind;
@@ -87,10 +116,10 @@ Result<void> checkDeformation(const Primitive& primitive, const std::string& whe
         if (!fit(deformation.targets[t], bind))
             return fault(elementOf(where + ".targets", t),
                          "each of its arrays must be empty or fit that of bind, and be finite");
-    const auto isFiniteInfluence = [](const Influence& influence) { return std::isfinite(influence.weight); };
-    if (deformation.influences.size() != deformation.influencesPerVertex * vertices ||
-        !std::all_of(deformation.influences.begin(), deformation.influences.end(), isFiniteInfluence))
-        return fault(where + ".influences", "there must be influencesPerVertex finite ones for each vertex");
+    if (!areInfluences(deformation, vertices))
+        return fault(where + ".influences",
+                     "there must be influencesPerVertex of them for each vertex, of joints "
+                     "below 65,536 and weights of 0 or more that add up to 1");
     if (deformation.flat && vertices % 3 != 0)
         return fault(where + ".flat", "there must be three vertices for each triangle");
     return {};

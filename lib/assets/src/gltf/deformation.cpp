@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include <glm/common.hpp>
+
 #include "finite.h"
 #include "gltf/accessor.h"
 #include "gltf/mesh.h"
@@ -73,6 +75,8 @@ public:
         if (find("JOINTS_") != nullptr || find("WEIGHTS_") != nullptr)
             m_source.warn(kMended, m_where,
                           "JOINTS_n and WEIGHTS_n come in pairs: what has no partner is left out");
+        if (dropNegatives())
+            m_source.warn(kMended, m_where, "weights of joints are below 0: they count as 0");
         for (std::size_t v = 0; v < vertices; ++v)
             if (!count(v))
                 return false;
@@ -87,6 +91,17 @@ private:
     const int* find(const std::string& name) const {
         const auto found = m_from.attributes.find(name + std::to_string(m_joints.size()));
         return found == m_from.attributes.end() ? nullptr : &found->second;
+    }
+
+    bool dropNegatives() {
+        bool found = false;
+        for (std::vector<glm::vec4>& set : m_weights)
+            for (glm::vec4& weights : set) {
+                const glm::vec4 held = glm::max(weights, 0.0f);
+                found = found || held != weights;
+                weights = held;
+            }
+        return found;
     }
 
     template<typename Function>

@@ -78,7 +78,9 @@ std::vector<const Primitive*> giveAnyBinds(Scene& scene) {
     eachPrimitive(scene, [&](Primitive& primitive) {
         if (!primitive.deformation || !primitive.deformation->bind.positions.empty())
             return;
-        bind(primitive);
+        auto deformation = std::make_shared<Deformation>(*primitive.deformation);
+        deformation->bind = bindOf(primitive);
+        primitive.deformation = std::move(deformation);
         given.push_back(&primitive);
     });
     return given;

@@ -53,10 +53,10 @@ public:
           m_joints(pose.joints) {}
 
     glm::mat4x3 matrixOf(std::size_t vertex) const {
-        const Influence* const first = m_influences.data() + vertex * m_count;
-        glm::mat4x3 blended = first->weight * m_joints[first->joint];
-        for (std::size_t i = 1; i < m_count && first[i].weight != 0.0f; ++i)
-            blended += first[i].weight * m_joints[first[i].joint];
+        glm::mat4x3 blended(0.0f);
+        for (const Influence& influence : m_influences.subspan(vertex * m_count, m_count))
+            if (influence.weight != 0.0f)
+                blended += influence.weight * m_joints[influence.joint];
         return blended;
     }
 
@@ -88,7 +88,9 @@ void normalize(const Vertices& bind, Vertices& vertices) {
     }
 }
 
-// As glTF 2.0 (3.7.2.1) has it for files without normals; what winds clockwise in a mirrored mesh is front.
+// As glTF 2.0 (3.7.2.1) has it for files without normals. Where a mirrored node has a skin, what winds
+// clockwise is front, though joints have moved the vertices to where they stay; without one, its matrix turns
+// the normals.
 void flatten(Vertices& vertices, bool mirrored) {
     for (std::size_t v = 0; v + 2 < vertices.positions.size(); v += 3) {
         const glm::dvec3 a(vertices.positions[v]), b(vertices.positions[v + 1]), c(vertices.positions[v + 2]);
@@ -127,10 +129,11 @@ void deform(const Deformation& deformation, const Deforming& pose, Vertices& out
             addTarget(out, deformation.targets[t], pose.weights[t]);
     for (glm::vec4& color : out.colors)
         color = glm::clamp(color, 0.0f, 1.0f); // glTF 2.0, 3.7.2.2.
-    if (!pose.joints.empty() && deformation.influencesPerVertex > 0)
+    const bool isSkinned = !pose.joints.empty() && deformation.influencesPerVertex > 0;
+    if (isSkinned)
         applySkin(Skinning(deformation, pose), out);
     if (deformation.flat)
-        flatten(out, pose.mirrored);
+        flatten(out, isSkinned && pose.mirrored);
     normalize(deformation.bind, out);
 }
 

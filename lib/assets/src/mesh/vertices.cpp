@@ -49,20 +49,25 @@ void gather(Primitive& primitive, std::span<const std::uint32_t> vertices) {
     primitive.deformation = std::move(deformation);
 }
 
-void bind(Primitive& primitive) {
-    Deformation deformation = *primitive.deformation;
+Vertices bindOf(const Primitive& primitive) {
+    const std::vector<Vertices>& targets = primitive.deformation->targets;
     const auto anyTarget = [&](auto member) {
-        return std::any_of(deformation.targets.begin(), deformation.targets.end(),
+        return std::any_of(targets.begin(), targets.end(),
                            [&](const Vertices& target) { return !member(target).empty(); });
     };
-    Vertices& vertices = deformation.bind;
-    vertices = {
+    Vertices vertices{
         .positions = primitive.positions, .normals = primitive.normals, .tangents = primitive.tangents};
     for (std::size_t set = 0; set < std::size(vertices.uv); ++set)
         if (anyTarget([set](const Vertices& target) -> auto& { return target.uv[set]; }))
             vertices.uv[set] = primitive.uv[set];
     if (anyTarget([](const Vertices& target) -> auto& { return target.colors; }))
         vertices.colors = primitive.colors;
+    return vertices;
+}
+
+void bind(Primitive& primitive) {
+    Deformation deformation = *primitive.deformation;
+    deformation.bind = bindOf(primitive);
     measure(deformation);
     primitive.deformation = std::make_shared<const Deformation>(std::move(deformation));
 }

@@ -17,7 +17,11 @@ glm::vec3 unitOr(const glm::vec3& vector, const glm::vec3& otherwise);
 /// Makes each vertex a copy of that one of the primitive; its joints and morph targets go along.
 void gather(Primitive& primitive, std::span<const std::uint32_t> vertices);
 
-/// Notes what the primitive's vertices are before its deformation moves them, and measures that.
+/// The primitive's arrays that its deformation changes.
+Vertices bindOf(const Primitive& primitive);
+
+/// Notes what the primitive's vertices are before its deformation moves them, and measures that. Everything
+/// in the deformation must be in range.
 void bind(Primitive& primitive);
 
 /// Tangents for that normal texture, where there are none. False where the texture's coordinates are missing.
