@@ -128,7 +128,7 @@ TEST(GltfNode, InstancesHaveAPlaceEach) {
     file.setTriangle();
     const int moves = file.floats("VEC3", {1, 0, 0, 0, 2, 0});
     const int turns =
-        file.accessor("VEC4", GltfFile::kByte, std::vector<std::int8_t>{90, 0, 0, 90, 0, 127, 0, 0});
+        file.accessor("VEC4", GltfFile::kByte, std::vector<std::int8_t>{127, 0, 0, 0, 0, 127, 0, 0});
     file.json["accessors"][static_cast<std::size_t>(turns)]["normalized"] = true;
     const int scales = file.floats("VEC3", {1, 1, 1, -2, 2, 2});
     file.json["nodes"] = {{{"mesh", 0}, {"translation", {0, 0, 5}}}};
@@ -138,7 +138,7 @@ TEST(GltfNode, InstancesHaveAPlaceEach) {
     Scene scene = file.loaded();
     ASSERT_EQ(scene.instances.size(), 2u);
     EXPECT_EQ(scene.meshes.size(), 1u);
-    expectNear(placed(glm::mat4(scene.instances[0].world), {0, 1, 0}), {1, 0, 6});
+    expectNear(placed(glm::mat4(scene.instances[0].world), {0, 1, 0}), {1, -1, 5});
     expectNear(placed(glm::mat4(scene.instances[1].world), {1, 0, 0}), {2, 2, 5});
     EXPECT_TRUE(scene.instances[1].mirrored);
     franken::Pose pose = franken::restPose(scene);
