@@ -69,7 +69,8 @@ void addRun(CLI::App& app, Parsed& parsed) {
            "Of the picture [1280x720]")
         ->type_name("WxH");
     app.add_option("--time", parsed.frame.seconds, "What the picture shows: seconds after the model came [0]")
-        ->check(CLI::Range(0.0, 86400.0));
+        ->check(CLI::Range(0.0, 86400.0))
+        ->type_name("SECONDS");
     app.add_option("--root", parsed.run.root, "Where /sys, /proc and /run are: for tests")
         ->type_name("FOLDER");
     addSettings(app, parsed.run.overrides);
@@ -97,6 +98,7 @@ Command commandOf(const CLI::App& app, Parsed& parsed) {
 Command parseCommandLine(int count, const char* const* arguments) {
     CLI::App app(kAbout, "kiosk");
     app.footer(kFooter);
+    app.set_version_flag("-V,--version", "kiosk " FRANKEN_VERSION);
     Parsed parsed;
     addRun(app, parsed);
     app.require_subcommand(0, 1);

@@ -67,7 +67,7 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libosmesa6 | libegl-
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "glslang-tools, g++")
 franken_debian(kiosk frankenshader-kiosk graphics "${library_package} (= ${version})"
     "Single-pass GLSL ES programs for Raspberry Pi GPUs: kiosk\n${about}\n.\nThis package holds a program that shows models on a screen\nwithout a window system, for months.")
-set(CPACK_DEBIAN_KIOSK_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libegl-mesa0")
+set(CPACK_DEBIAN_KIOSK_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libegl-mesa0, fonts-dejavu-core")
 franken_debian(documentation frankenshader-doc doc ""
     "Single-pass GLSL ES programs for Raspberry Pi GPUs: documentation\n${about}\n.\nThis package holds the documentation, and examples of engines that\nembed it.")
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)

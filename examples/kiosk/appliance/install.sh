@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # install.sh: makes a kiosk of this machine. As root, on Raspberry Pi OS Lite or Debian, after the package is installed.
-# Nothing that is there already under these names is overwritten but the units and rules themselves.
+# It writes its files over those of an earlier run, but for the configuration, which stays as it is.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$0")" && pwd -P)
 root=${DESTDIR:-}
@@ -18,7 +18,7 @@ config=$root/etc/frankenshader-kiosk/kiosk.toml
 if [ ! -e "$config" ]; then
     install -D -m 644 /dev/null "$config"
     cat >"$config" <<'TOML'
-# `kiosk settings` lists everything that can be set; `kiosk check FILE` says what is wrong.
+# `frankenshader-kiosk settings` lists everything that can be set; `frankenshader-kiosk check FILE` says what is wrong.
 [content]
 folder = "/data/models"
 
@@ -30,12 +30,13 @@ fi
 [ -z "$root" ] || exit 0
 
 systemd-sysusers
+[ -z "${SUDO_USER:-}" ] || usermod -aG kiosk "$SUDO_USER" # May copy models, once logged in again.
 mkdir -p /data
 systemd-tmpfiles --create frankenshader-kiosk.conf
 udevadm control --reload
 udevadm trigger
-systemctl daemon-reload
+systemctl daemon-reexec # Reads the units, and starts the hardware watchdog.
 systemctl restart systemd-journald
 systemctl set-default multi-user.target
 systemctl enable kiosk.service
-echo "Copy models to /data/models, then: sudo systemctl start kiosk; frankenshader-kiosk doctor --config $config"
+echo "Log in again, copy models to /data/models, then: sudo -u kiosk frankenshader-kiosk doctor --config $config"

@@ -27,6 +27,9 @@ Findings examineRenderer(const Patient& patient);    ///< The driver and its lim
 Findings examineDevices(const Patient& patient);     ///< GPIO chips and inputs.
 Findings examineFiles(const Patient& patient);       ///< The configuration's folders and files.
 
+/// Who runs the examination, and so whom its commands give rights to.
+std::string userName();
+
 /// All of them.
 Findings examineAll(const Patient& patient);
 

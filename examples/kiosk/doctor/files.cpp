@@ -22,11 +22,11 @@ void examineFolder(const std::string& folder, const std::string& setting, bool i
     std::error_code error;
     if (!fs::is_directory(folder, error))
         return findings.push_back({Kind::Bad, "files", folder + " (" + setting + ") is not there",
-                                   "sudo install -d -o $USER " + folder});
+                                   "sudo install -d -o " + userName() + " " + folder});
     if (access(folder.c_str(), isWritten ? R_OK | W_OK | X_OK : R_OK | X_OK) != 0)
         return findings.push_back(
             {Kind::Bad, "files", folder + " (" + setting + ") may not be " + (isWritten ? "written" : "read"),
-             "sudo chown $USER " + folder});
+             "sudo chown " + userName() + " " + folder});
     const fs::space_info space = fs::space(folder, error);
     if (isWritten && !error && space.available < kLeastSpace)
         return findings.push_back({Kind::Bad, "files",

@@ -14,11 +14,6 @@ namespace {
 
 using Kind = Finding::Kind;
 
-std::string userName() {
-    const passwd* user = getpwuid(geteuid());
-    return user != nullptr ? user->pw_name : std::to_string(geteuid());
-}
-
 std::string groupOf(const std::string& file) {
     struct stat status {};
     if (stat(file.c_str(), &status) != 0)
@@ -57,6 +52,11 @@ void examineNodes(const Patient& patient, const Needed& needed, Findings& findin
 }
 
 } // namespace
+
+std::string userName() {
+    const passwd* user = getpwuid(geteuid());
+    return user != nullptr ? user->pw_name : std::to_string(geteuid());
+}
 
 Findings examinePermissions(const Patient& patient) {
     Findings findings;

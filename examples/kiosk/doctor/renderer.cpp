@@ -39,8 +39,7 @@ Findings examineRenderer(const Patient& patient) {
     Findings findings;
     if (isSoftware(driver) && !patient.config.screen.allowSoftware)
         findings.push_back({Kind::Bad, "renderer", "the processor draws, at a few frames a second: " + driver,
-                            "sudo usermod -aG render $USER, then log in again; and dtoverlay=vc4-kms-v3d in "
-                            "/boot/firmware/config.txt"});
+                            "add dtoverlay=vc4-kms-v3d to /boot/firmware/config.txt, then sudo reboot"});
     else
         findings.push_back({Kind::Good, "renderer", driver + "; profile " + profileOf(driver), ""});
     if (const auto gl = franken::Gl::load((*surface)->getProcAddress())) {
