@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The C++ of README.md and generator/README.md, compiled and run as it is printed. What a block takes for
-// granted is declared above it.
+// The C++ of README.md and of the pages of generator and lib/renderer, compiled and run as it is printed. What
+// a block takes for granted is declared above it.
 #include "franken/baked_sky.h"
 #include "franken/complete.h"
 #include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
@@ -104,7 +104,7 @@ TEST_P(Readme, ThingsChange) {
     GLuint video = 0;
     gl().GenTextures(1, &video);
     gl().BindTexture(GL_TEXTURE_2D, video);
-#include "blocks/things-that-change.inc"
+#include "blocks/lib/renderer/things-that-change.inc"
     EXPECT_TRUE(hit && *hit) << "the square is in the middle";
     EXPECT_NEAR(orbit.orbit().yaw, OrbitCamera(camera, scene.bounds()).orbit().yaw - 0.1 * std::numbers::pi,
                 1e-9);

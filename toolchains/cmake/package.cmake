@@ -139,7 +139,8 @@ foreach(program viewer bake)
 endforeach()
 if(TARGET kiosk)
     franken_program(kiosk kiosk PAGE --manual COMPLETIONS --completions)
-    install(FILES examples/kiosk/kiosk.toml examples/kiosk/README.md DESTINATION ${data_dir}/kiosk COMPONENT kiosk)
+    install(FILES examples/kiosk/kiosk.toml examples/kiosk/README.md examples/kiosk/kiosk.png
+        examples/kiosk/kiosk-turned.png DESTINATION ${data_dir}/kiosk COMPONENT kiosk)
     install(DIRECTORY examples/kiosk/appliance DESTINATION ${data_dir}/kiosk USE_SOURCE_PERMISSIONS COMPONENT kiosk)
 endif()
 # To be read by those who write snippets and effects of their own; and what `frankenshader cost` needs.
@@ -150,7 +151,9 @@ install(FILES tests/qpu/qpu_stats.cpp DESTINATION ${data_dir}/qpu COMPONENT tool
 install(DIRECTORY tests/qpu/mesa DESTINATION ${data_dir}/qpu COMPONENT tools USE_SOURCE_PERMISSIONS)
 
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
-install(FILES generator/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/generator COMPONENT documentation)
+foreach(folder generator lib/assets lib/renderer toolchains)
+    install(FILES ${folder}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT documentation)
+endforeach()
 install(DIRECTORY examples/embed DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT documentation)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/FrankenShaderConfig.cmake.in
