@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # packages.sh [REVISION]: makes the Debian packages of this machine's release and architecture in build/packages, from the
-# presets package-static and package. Built twice from one commit, they have equal bytes: times are those of the commit
-# (or of SOURCE_DATE_EPOCH). REVISION is what stands behind the dash of their version (1+deb12 on Debian 12).
+# presets package-static and package. Times in them are those of the commit (or of SOURCE_DATE_EPOCH), so that they can be
+# built again alike. REVISION is what stands behind the dash of their version (1+deb12 on Debian 12).
 set -eu
 root=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd -P)
 cd "$root"
