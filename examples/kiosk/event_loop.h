@@ -19,7 +19,7 @@ class EventLoop {
 public:
     using Handler = std::function<void()>;
 
-    /// Blocks the signals that onSignal() will take, in this thread and in all that it starts: before those.
+    /// Blocks the signals that onSignal() will take. Must run before any thread starts, which inherits that.
     static franken::Result<std::unique_ptr<EventLoop>> make(std::initializer_list<int> signals = {});
     ~EventLoop();
 

@@ -7,7 +7,7 @@
 
 namespace kiosk {
 
-/// Draws what the kiosk would show so long after the first model came, and writes it as a PNG.
+/// Draws what the kiosk would show `seconds` after the first model came, and writes it as a PNG.
 franken::Result<void> drawFrame(const DrawFrame& command, const Config& config, const franken::Log& log);
 
 } // namespace kiosk

@@ -91,7 +91,7 @@ Result<std::unique_ptr<Kiosk>> Kiosk::open(RunOptions options, Config config, fr
 }
 
 void Kiosk::listen() {
-    const auto nothing = [] {}; // The turn of the loop is all that these are for.
+    const auto nothing = [] {}; // These only wake the loop.
     m_frameTimer = m_loop->timer(nothing);
     m_clockTimer = m_loop->timer(nothing);
     m_aliveTimer = m_loop->timer(nothing);

@@ -37,7 +37,7 @@ ReadConfig configOf(const RunOptions& options);
 class Kiosk {
 public:
     static franken::Result<std::unique_ptr<Kiosk>> open(RunOptions options, Config config, franken::Log log);
-    /// Until it is told to end, or cannot go on.
+    /// Returns when the kiosk is told to end, or cannot go on.
     franken::Result<void> run();
 
 private:

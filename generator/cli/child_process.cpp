@@ -50,8 +50,8 @@ bool isInPath(const std::string& program) {
     return false;
 }
 
-/// Of a program without a slash, EACCES says as well that some folder of PATH may not be searched: where no
-/// other one has the program, it is not there.
+/// Where a name has no slash, EACCES can also mean that a folder of PATH may not be searched. If no other
+/// folder has the program, it is not installed.
 int spawnErrorOf(int error, const std::string& program) {
     const bool isNowhere = error == EACCES && program.find('/') == std::string::npos && !isInPath(program);
     return isNowhere ? ENOENT : error;

@@ -15,9 +15,9 @@ struct ListedProgram {
     std::string vertex, fragment; ///< Files beside it.
 };
 
-/// Reads the text of a manifest.json that `dump -o` wrote, and keeps nothing else of it than this: whatever
-/// the text is, it takes little more memory than itself. Fails where it is no JSON, or lists no programs, or
-/// what is no program, or nests deeper than ours do; `what` alone is set.
+/// Reads the text of a manifest.json that `dump -o` wrote. Takes little more memory than the text, whatever
+/// that is. Fails where the text is no JSON, lists no programs, lists something that is no program, or nests
+/// deeper than `dump` does; only `what` is set.
 Result<std::vector<ListedProgram>> parseFolderManifest(std::string_view text);
 
 } // namespace franken::cli

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The C++ of README.md and of the pages of generator and lib/renderer, compiled and run as it is printed. What
-// a block takes for granted is declared above it.
+// The C++ of README.md and of the pages of generator and lib/renderer, compiled and run as it is printed.
+// What a block takes for granted is declared above it.
 #include "franken/baked_sky.h"
 #include "franken/complete.h"
-#include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
 #include "franken/file_writer.h"
+#include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
 #include "franken/manifest.h"
 #include "franken/orbit_camera.h"
 #include "franken/overlay_text.h"

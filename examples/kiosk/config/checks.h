@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// Values that a text describes. Each parser is the check of its settings as well.
+/// Parsers of settings that are texts. The checks of these settings call them as well.
 namespace kiosk {
 
 /// "R,G,B", each at least 0.

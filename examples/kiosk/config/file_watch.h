@@ -14,7 +14,8 @@ public:
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
 
-    /// Polls as readable when something in the file's folder changed; -1 where it cannot be watched.
+    /// A descriptor that is readable when something in the file's folder changed; -1 where it cannot be
+    /// watched.
     int descriptor() const { return m_inotify; }
     /// Whether it was the file.
     bool dispatch();

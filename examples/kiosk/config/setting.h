@@ -30,7 +30,7 @@ struct Number {
     double least, most;
 };
 
-/// Nothing where the text will do, or what is wrong with it.
+/// What is wrong with the text; nothing where it is good.
 using Check = std::function<std::optional<std::string>(const std::string&)>;
 
 struct Text {
@@ -70,7 +70,7 @@ std::string sectionHelp(std::string_view section);
 std::string sectionOf(const Setting& setting);
 std::string nameOf(const Setting& setting);
 
-/// As a file says it, before it is known whether that will do.
+/// A value as the file has it, before it is checked.
 using RawValue = std::variant<bool, long long, double, std::string, Texts>;
 
 /// Sets it, or says what is wrong with the value and changes nothing.

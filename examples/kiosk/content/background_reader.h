@@ -53,7 +53,7 @@ public:
         m_value.reset();
     }
 
-    /// Polls as readable when take() has something.
+    /// A descriptor that is readable when take() has something.
     int descriptor() const { return m_done; }
 
     std::optional<Value> take() {

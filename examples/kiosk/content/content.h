@@ -16,8 +16,8 @@
 
 namespace kiosk {
 
-/// The models: which there are, and the next one, read ahead. Broken ones are skipped, and each is reported
-/// once until it changes.
+/// Knows which models there are, and reads the next one ahead. Broken models are skipped, and each is
+/// reported once until it changes.
 class Content {
 public:
     /// `arrived` is called when take() may have something, or when the list of models has changed.

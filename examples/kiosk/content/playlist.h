@@ -9,8 +9,8 @@
 
 namespace kiosk {
 
-/// What is shown, in which order. Pure: it reads no file. Broken models are skipped until their file, or one
-/// beside it, changes.
+/// The order in which models are shown. Pure: it reads no file. Broken models are skipped until their file,
+/// or one beside it, changes.
 class Playlist {
 public:
     using Path = std::filesystem::path;

@@ -13,7 +13,7 @@
 
 namespace kiosk {
 
-/// What the configuration has keys, buttons and gestures do.
+/// The actions that the configuration gives to keys, buttons and gestures.
 class ActionTable {
 public:
     ActionTable() = default;
@@ -25,7 +25,7 @@ public:
 
     /// The GPIO lines that have a button.
     std::set<unsigned> pins() const;
-    /// Whether a double press of it means anything: only then does a single one have to wait.
+    /// Whether a double press of the button has an action: only then does a single press wait for a second.
     bool isDoubled(unsigned pin) const;
 
 private:

@@ -11,8 +11,7 @@ using franken::LogLevel;
 namespace {
 
 constexpr const char* kMotion = "motion";
-// A sensor's line stays up for as long as it sees somebody: the end of it is a short press of whatever
-// length.
+// A sensor's line is up while the sensor sees somebody: its end counts as a short press, however long it was.
 constexpr auto kEndless = std::chrono::hours(24 * 365);
 constexpr auto kDoublePress = std::chrono::milliseconds(350);
 

@@ -13,14 +13,14 @@
 
 namespace kiosk {
 
-/// Keys, fingers, buttons and the motion sensor, as what they ask for.
+/// Turns keys, fingers, buttons and the motion sensor into actions.
 class Controls {
 public:
     struct Handlers {
         std::function<void(Action)> act;
         std::function<void(double x, double y)> drag; ///< Parts of the picture.
         std::function<void(double factor)> zoom;
-        std::function<void()> touched; ///< Somebody is there, whatever he does. Before all others.
+        std::function<void()> touched; ///< Somebody did something; called before the others.
         std::function<void(bool)> motion;
     };
     /// Where there is no seat, no udev or no GPIO, the log says so, and the rest works.

@@ -8,7 +8,7 @@
 
 namespace kiosk {
 
-/// What the machine says of itself; nothing where it does not.
+/// Measurements of the machine; a value that it does not offer is empty.
 struct Strain {
     std::optional<double> celsius;
     std::optional<bool> throttled;
@@ -22,16 +22,16 @@ struct ReliefOptions {
     Time recovery = std::chrono::minutes(2);  ///< How long there is none before a step back.
 };
 
-/// What the kiosk does without, in steps: each lowers the resolution or the frame rate. Pure: the caller
-/// passes the time.
+/// Relieves a machine that is too hot or throttled: each step lowers the resolution or the frame rate. Pure:
+/// the caller passes the time.
 class Relief {
 public:
     static constexpr int kMostSteps = 4;
 
     void configure(const ReliefOptions& options) { m_options = options; }
 
-    /// Whether the step has changed. Heat counts from hotCelsius on, and no more below it by 5 degrees;
-    /// between the two, everything stays.
+    /// Returns whether the step has changed. Heat counts from hotCelsius on, until the machine is 5 degrees
+    /// below it.
     bool observe(const Strain& strain, Time now);
 
     int step() const { return m_step; }

@@ -34,7 +34,7 @@ private:
     bool m_hasHours = false;
 };
 
-/// What adjtimex(2) answered, and timex::status. An answer that failed is none.
+/// The answer of adjtimex(2), and timex::status. A call that failed does not count as an answer.
 bool isKernelSynchronised(int state, int status);
 
 /// Whether the clock can be trusted: the kernel says that it is synchronised, or systemd-timesyncd has left

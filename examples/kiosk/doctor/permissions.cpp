@@ -26,7 +26,7 @@ struct Needed {
     const char* folder;
     const char* prefix;
     const char* purpose;
-    const char* group; ///< That Raspberry Pi OS gives such nodes to.
+    const char* group; ///< The owner of such nodes on Raspberry Pi OS.
 };
 
 constexpr Needed kNeeded[] = {{"/dev/dri", "card", "the screen", "video"},
@@ -47,7 +47,7 @@ void examineNodes(const Patient& patient, const Needed& needed, Findings& findin
              isPlain ? std::string("sudo chgrp ") + needed.group + " " + node +
                            "; sudo udevadm trigger brings back what udev's rules say"
                      : "sudo usermod -aG " + group + " " + userName() + ", then log in again"});
-        return; // One of a kind says it for all.
+        return; // The other nodes of the kind have the same group.
     }
 }
 

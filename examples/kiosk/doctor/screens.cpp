@@ -28,7 +28,7 @@ const char* wordOf(platform::Connection connection) {
     return "unknown";
 }
 
-/// Processes, this one aside, that hold a node of a screen; by /proc, as root sees all of it.
+/// The other processes that hold a node of a screen, by /proc; only root sees those of all users.
 std::string holdersOf(const Machine& machine, const std::string& node) {
     std::string holders;
     for (const std::string& process : machine.names("/proc")) {

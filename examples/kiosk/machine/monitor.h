@@ -13,11 +13,11 @@
 
 namespace kiosk {
 
-/// What the machine knows; all else is left out.
+/// The statistics that the machine knows; the others stay empty.
 Statistics statisticsOf(const Machine& machine);
 
-/// Looks at the machine every few seconds: lowers what the kiosk does where it suffers, and writes the
-/// statistics to their file.
+/// Measures the machine every few seconds, relieves it where it is too hot, and writes the statistics to
+/// their file.
 class Monitor {
 public:
     struct Handlers {

@@ -15,7 +15,7 @@
 
 namespace kiosk {
 
-/// One model after the other: what is read, uploaded, shown and faded, and what visitors do to it.
+/// Reads, uploads, shows and fades one model after the other, and does what visitors ask for.
 class Show {
 public:
     /// `changed` is called when the picture that the screen shows is out of date.
@@ -31,7 +31,7 @@ public:
 
     /// Whether the picture changes by itself.
     bool moves(Time now) const;
-    /// When it will; 0: not by time alone.
+    /// When the picture will next change by itself; 0: not by time alone.
     Time nextMove() const { return m_transition.end(); }
 
     /// Draws a frame that begin() allowed.
@@ -44,7 +44,7 @@ public:
     /// Draws fewer pixels, or reads a model only once the one before is gone.
     void relieve(const Relief& relief);
 
-    /// Whether they are to be seen: setStatistics() is called now and then.
+    /// Whether statistics are to be seen: the caller then passes new ones now and then.
     bool showsStatistics() const { return m_statistics; }
     void setStatistics(const Statistics& statistics);
 
@@ -72,7 +72,7 @@ private:
     LightControls m_lights;
     Time m_last{0};                                ///< Of the frame before.
     std::optional<std::filesystem::path> m_before; ///< The model that was shown last; it may be gone.
-    int m_direction = 1;                           ///< In which the next model was looked for.
+    int m_direction = 1;                           ///< In which the playlist was searched for the next model.
     bool m_captions, m_statistics;
     double m_resolution = 1;
     bool m_paused = false, m_mayPreload = true;

@@ -29,18 +29,18 @@ struct Exhibit {
     std::vector<franken::ProgramUse> uses;
 };
 
-/// What is drawn: the model that is shown, the next one, which is uploaded and warmed up in slices, and a
-/// sheet of background over both.
+/// Draws the model that is shown, and a sheet of background over it in a fade; uploads the next model and
+/// warms its programs up in steps.
 class Stage {
 public:
     /// `manifest`: where the programs of earlier runs are listed; empty for none.
     Stage(const franken::Gl& gl, const std::string& driver, std::filesystem::path manifest,
           const Config& config, franken::Log log);
 
-    /// The context is gone, and all that was in it: the stage is good for nothing else.
+    /// The context is lost, with all that was in it. Only the destructor may be called after that.
     void contextLost();
 
-    /// What of the configuration may change while it runs.
+    /// Takes over the settings that may change while the kiosk runs.
     void configure(const Config& config);
     void setSky(Sky sky);
     void setControls(const LightControls& controls);
@@ -67,14 +67,13 @@ public:
     Exhibit* shown() { return m_shown.get(); }
     Exhibit* next() { return m_next.get(); }
 
-    /// A slice of what is left to upload and compile. Between begin() of a frame and draw(): it draws to the
-    /// target.
+    /// A step of what is left to upload and compile. Call it between begin() of a frame and draw(), because
+    /// it draws to the target.
     franken::Result<void> work();
     bool hasWork() const { return m_isLoading || !m_unwarmed.empty(); }
 
     /// `cover`: 0 shows the model, 1 the background alone. `isLoading`: with a bar that fills as programs are
-    /// made.
-    /// `shift`: of texts.
+    /// compiled. `shift`: of texts, in pixels.
     franken::Result<void> draw(double cover, bool isLoading, Shift shift = {});
 
     /// Adds the programs that were needed to the manifest, if there are new ones. Where that fails, they are
@@ -111,7 +110,7 @@ private:
     std::vector<franken::ProgramUse> m_warmed, m_unwarmed, m_unwritten;
     std::size_t m_listed = 0; ///< Programs of earlier runs.
     bool m_isLoading = false;
-    bool m_isFailing = false; ///< The last write did: it is reported once.
+    bool m_isFailing = false; ///< The last write failed: that is reported once.
     franken::PictureId m_sheet{};
 };
 

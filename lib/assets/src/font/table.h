@@ -7,8 +7,8 @@
 
 namespace franken {
 
-/// The bytes of a font's table, big-endian. What lies outside reads as 0, so that no offset of a file leads
-/// out of it; who must know the difference asks has().
+/// The bytes of a font's table, big-endian. Reads outside of it give 0, so that no offset of a file is
+/// dangerous; has() tells whether bytes are there.
 class FontTable {
 public:
     FontTable() = default;

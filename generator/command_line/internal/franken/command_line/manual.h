@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-/// What a person reads and a shell completes of a program, made from its table of options, so that neither
-/// can lag behind. For all programs; frankenshader fills in a page of its own and completes the words of
-/// names as well.
+/// Manual pages and completions for shells, made from a program's table of options, so that they cannot lag
+/// behind it. All programs use them; frankenshader has a page of its own that is filled in, and completes the
+/// words of names as well.
 namespace franken::cli {
 
 /// The shells that completions are made for.

@@ -10,9 +10,9 @@
 
 namespace franken::cli {
 
-/// What is wrong with a command line that the parser refused, and what was probably meant: the nearest
-/// command or option for one that there is not, which comes before what is missing because of it. The code is
-/// "usage". Arguments are quoted as they were typed: printable() is for who shows it.
+/// What is wrong with a command line that the parser refused, with the nearest command or option where one is
+/// unknown. An unknown one is reported before what is missing because of it. The code is "usage". Arguments
+/// are quoted as they were typed: whoever shows the error calls printable().
 Error mistakeIn(const CLI::App& app, const CLI::ParseError& refusal);
 
 /// The names of the commands, in the order of the help; empty for a program without.
@@ -24,7 +24,7 @@ std::string nearestOf(const std::string& word, const std::vector<std::string>& w
 /// Takes one of these words; offers the nearest for any other.
 CLI::Validator oneOf(const std::vector<std::string>& words);
 
-/// Takes all but an empty text: what a script's variable without a value becomes is not left out in silence.
+/// Refuses an empty text, which a script passes whose variable has no value.
 CLI::Validator notEmpty();
 
 /// Takes a whole number from `least` to `most`, and no sign but that of a number below 0.
