@@ -21,7 +21,7 @@ Error badEffect(const char* code, std::string_view file, int line, std::string w
 /// Fails with "effect.name" for what does not have the form of a name, or is a word of a choice.
 Result<void> checkEffectName(std::string_view name);
 
-/// "fog@5d0b1a3c", whether there is such an effect or not.
+/// "fog@afb248b9", whether there is such an effect or not.
 bool isEffectWord(std::string_view word);
 
 /// Fails with "effect.clash" for a name that FrankenShader's snippets or GLSL have. `line` is that in the

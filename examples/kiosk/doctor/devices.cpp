@@ -33,7 +33,8 @@ void examineChips(const Patient& patient, Findings& findings) {
     if (!hasChip)
         findings.push_back(
             {isNeeded ? Kind::Bad : Kind::Note, "buttons", "there is no GPIO chip (/dev/gpiochip0)",
-             isNeeded ? "sudo apt install raspi-gpio; on other boards: load the driver of the chip" : ""});
+             isNeeded ? "sudo apt full-upgrade && sudo reboot; on other boards: load the driver of the chip"
+                      : ""});
     else
         findings.push_back(
             {Kind::Good, "buttons", "GPIO chips: " + (labels.empty() ? std::string("there") : labels), ""});

@@ -76,7 +76,7 @@ public:
 
     const std::string& name() const;
     std::uint32_t hash() const;                       ///< CRC-32 of the text.
-    const std::string& word() const;                  ///< In names of permutations: "fog@5d0b1a3c".
+    const std::string& word() const;                  ///< In names of permutations: "fog@afb248b9".
     const std::vector<std::string>& uniforms() const; ///< "uFog", in the order of the values.
     EffectChoice choice(std::uint8_t slot) const;
 

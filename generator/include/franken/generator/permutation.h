@@ -226,7 +226,7 @@ Key stageKey(const Permutation& permutation, Stage stage);
 
 /// The name: words for all choices that are not the default, material words joined by '.', the rest by
 /// '+', in the order of choices.h: "basecolor.normal+ambient+sun2". The default permutation is "surface". An
-/// effect stands at the end, with a hash of its text: "basecolor+sun1+fog@5d0b1a3c". A set that has not got
+/// effect stands at the end, with a hash of its text: "basecolor+sun1+fog@afb248b9". A set that has not got
 /// it writes its slot, "effect#3", which no name has.
 std::string toName(const Permutation& permutation, const SnippetSet& snippets = SnippetSet::builtIn());
 
