@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "franken/generator/choices.h"
 #include "kiosk/config/checks.h"
 #include "kiosk/config/example.h"
 #include "kiosk/config/read_config.h"
@@ -40,6 +41,15 @@ TEST(KioskConfig, EverySettingIsDocumentedAndUnique) {
         EXPECT_TRUE(keys.insert(setting.key).second) << setting.key;
         EXPECT_TRUE(!setting.help.empty() || !sectionHelp(sectionOf(setting)).empty()) << setting.key;
     }
+}
+
+TEST(KioskConfig, ToneMapsHaveTheWordsOfPrograms) {
+    std::vector<std::string> words;
+    for (const Choice& choice : choices())
+        if (choice.name == "toneMap")
+            for (const auto& option : choice.options)
+                words.emplace_back(option.word);
+    EXPECT_EQ(std::get<Text>(findSetting("show.tone-map")->kind).words, words);
 }
 
 struct BadFile {

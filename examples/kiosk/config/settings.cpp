@@ -83,7 +83,7 @@ void addShow(List& list) {
                     "Multiplies all light."});
     list.push_back({"show.tone-map",
                     Text{.of = [](Config& c) -> std::string& { return c.show.toneMap; },
-                         .words = {"none", "reinhard", "aces", "neutral"}},
+                         .words = {"clip", "reinhard", "aces", "neutral"}},
                     "How light above white is brought into the screen's range."});
     list.push_back({"show.sky",
                     Text{.of = [](Config& c) -> std::string& { return c.show.sky; }, .isPath = true},
