@@ -211,6 +211,32 @@ TEST(Steps, AModelIsRemovedWhileItsSourceRuns) {
     EXPECT_EQ(resident(stage.renderer, *other), "yes");
 }
 
+// A step of any budget returns where it can do nothing: the source must not have to give up before.
+TEST(Steps, NoTimeIsSpentOnWaitingForASourceOfARemovedModel) {
+    std::atomic<bool> began{false}, open{false}, gaveUp{false};
+    Stage stage;
+    const Result<ModelId> model = stage.renderer.add(ball(), [&]() -> Result<Scene> {
+        began = true;
+        const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(5);
+        while (!open && !gaveUp) {
+            std::this_thread::yield();
+            gaveUp = std::chrono::steady_clock::now() > last;
+        }
+        return ball();
+    });
+    stage.renderer.memory().evictAll();
+    ASSERT_TRUE(model && stage.renderer.show({{*model}}));
+    while (!began)
+        ASSERT_TRUE(stage.renderer.step());
+    stage.renderer.remove(*model);
+    const Result<ModelId> next = stage.renderer.addInSteps(ball());
+    EXPECT_TRUE(stage.renderer.step(std::chrono::microseconds::max())->more);
+    EXPECT_FALSE(gaveUp);
+    open = true;
+    EXPECT_TRUE(stepped(stage.renderer).empty());
+    EXPECT_EQ(resident(stage.renderer, *next), "yes");
+}
+
 TEST(Steps, TheContextIsLostWhileASourceRuns) {
     Gate gate;
     Stage stage;

@@ -100,7 +100,10 @@ Result<std::size_t> Models::step() {
 }
 
 bool Models::isWaiting() const {
-    return m_loading && !m_loading->gpu && m_loading->upload.isIdle() && !m_loading->loader->isReady();
+    if (!m_loading)
+        return std::any_of(m_ending.begin(), m_ending.end(),
+                           [](const std::unique_ptr<SceneLoader>& each) { return !each->hasEnded(); });
+    return !m_loading->gpu && m_loading->upload.isIdle() && !m_loading->loader->isReady();
 }
 
 Result<void> Models::finishLoading() {

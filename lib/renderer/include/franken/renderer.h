@@ -116,9 +116,11 @@ public:
 
     /// Goes on with what is loaded in steps: does units of work until the time is up, at least one, and none
     /// where a thread has to read something first. A unit uploads at most 256 KiB of texels, vertices or
-    /// indices, or compiles one program, so that a call takes little more than its budget; a texture that
-    /// setTexture() changed while its model was away is one unit. Once in each frame, before draw(). Fails as
-    /// an upload and as a source do, once for each model: it is not loaded further then, and all others are.
+    /// indices, or makes one program, so that a call takes little more than its budget. A unit is longer
+    /// where a program does not compile, and the simpler ones that stand in for it are tried one after the
+    /// other, and where setTexture() changed a texture while its model was away, which is uploaded whole.
+    /// Once in each frame, before draw(). Fails as an upload and as a source do, once for each model: it is
+    /// not loaded further then, and all others are.
     Result<StepReport> step(std::chrono::microseconds budget = {});
 
     /// Deletes a model and its places. Does nothing for an unknown one.
