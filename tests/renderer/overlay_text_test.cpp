@@ -86,6 +86,18 @@ TEST_P(OverlayTextTest, CoverageAndColorAreBlendedInEncodedSpace) {
     EXPECT_EQ(image.pixel(10, 2), kBlack);
 }
 
+TEST_P(OverlayTextTest, AColorThatIsSetLaterIsThatOfATextWhichHadItAtFirst) {
+    const Float4 color = {0.25f, 1, 0.5f, 0.75f};
+    OverlayText first(renderer()), later(renderer());
+    ASSERT_TRUE(first.add({.font = m_font, .utf8 = "AV", .style = {.pixels = 20}, .color = color}));
+    const Result<TextId> text = later.add({.font = m_font, .utf8 = "AV", .style = {.pixels = 20}});
+    ASSERT_TRUE(text);
+    const ReadBack expected = drawn(first);
+    EXPECT_NE(drawn(later).rgba, expected.rgba);
+    ASSERT_TRUE(later.setColor(*text, color));
+    EXPECT_EQ(drawn(later).rgba, expected.rgba);
+}
+
 TEST_P(OverlayTextTest, IsTurnedWithThePicture) {
     OverlayText texts(renderer());
     const Result<TextId> text =
@@ -197,6 +209,31 @@ TEST_P(OverlayTextTest, UnusedGlyphsMakeRoomAndWhatDoesNotFitIsRefused) {
     EXPECT_EQ(texts.set(*small, TextStyle{.pixels = 220}).error().code, "text.memory");
     EXPECT_EQ(drawn(texts).rgba, before.rgba) << "and nothing changed";
     EXPECT_EQ(renderer().memory().used(MemoryUse::Textures), std::size_t{1} << 20);
+}
+
+// Two pages: the first glyphs leave the first page, and those of the second one move there.
+TEST_P(OverlayTextTest, GlyphsMoveFromPageToPageAndAreDrawnAsBefore) {
+    OverlayText texts(renderer(), {.maxBytes = std::size_t{2} << 20});
+    const auto add = [&](float pixels, float x) {
+        return texts.add({.font = m_font, .utf8 = "VoB", .style = {.pixels = pixels}, .x = x});
+    };
+    const Result<TextId> leaves = add(250, 2000), stays = add(240, 0);
+    ASSERT_TRUE(leaves && stays);
+    const auto pictures = [&] {
+        std::vector<std::vector<std::uint8_t>> all;
+        for (int x = 0; x > -720; x -= 60) {
+            EXPECT_TRUE(texts.setPlace(*stays, static_cast<float>(x), -100));
+            all.push_back(drawn(texts).rgba);
+        }
+        return all;
+    };
+    const auto before = pictures();
+    texts.remove(*leaves);
+    ASSERT_TRUE(add(251, 2000));
+    const auto after = pictures();
+    EXPECT_EQ(after, before);
+    recordedCalls().clear();
+    ASSERT_TRUE(add(245, 2000)) << "into the room of the glyphs that left";
 }
 
 TEST_P(OverlayTextTest, StylesOutOfRangeAreRefusedAndChangeNothing) {

@@ -102,9 +102,9 @@ void PosedTest::compareOutline(const std::string& model) {
 }
 
 // Found 1.98 % of the pixels, all within its texture, which asks for NEAREST_MIPMAP_LINEAR. Against a
-// recomputation in double, 2.4 % of our inner pixels and 22.4 % of the viewer's are off by more than 8 codes: of
-// about 30 ways to filter, the nearest to the viewer's are anisotropic, half a level coarser (7.6 % of them are
-// off), and trilinear, half a level finer (9.5 %).
+// recomputation in double, 2.4 % of our inner pixels and 22.4 % of the viewer's are off by more than 8 codes:
+// of about 30 ways to filter, the nearest to the viewer's are anisotropic, half a level coarser (7.6 % of
+// them are off), and trilinear, half a level finer (9.5 %).
 TEST_P(PosedTest, CesiumMan) { compareWithViewer("CesiumMan", 0.025); }
 TEST_P(PosedTest, Fox) { compareWithViewer("Fox"); }
 TEST_P(PosedTest, MirroredArmature) { compareWithViewer("MirroredArmature"); }
@@ -206,6 +206,75 @@ TEST_P(PosedTest, PlacesHavePosesOfTheirOwnThatOutlastTheContext) {
     renderer.contextLost();
     ASSERT_TRUE(renderer.restore(recorded));
     EXPECT_LE(compareLit(draw(renderer), picture).max(), 1);
+}
+
+TEST_P(PosedTest, WhatAPoseMovesIntoTheViewIsDrawnThere) {
+    const Scene scene = bendable();
+    Camera camera;
+    camera.world[3] = {4, 0, 5, 1};
+    Renderer renderer(gl());
+    const ModelId model = *renderer.add(scene);
+    ASSERT_TRUE(renderer.show({{model}}, Wait::Yes));
+    const auto drawnOf = [&](float length) {
+        Pose pose = restPose(scene);
+        pose.nodes[0].weights = {length, 0};
+        EXPECT_TRUE(renderer.setPose(*renderer.firstPlace(model), pose));
+        EXPECT_TRUE(renderer.draw(viewpointOf(camera, 1),
+                                  {.framebuffer = surface().framebuffer(), .width = kSize, .height = kSize}));
+        return renderer.frameCounters().drawn;
+    };
+    EXPECT_EQ(drawnOf(0), 0u);
+    EXPECT_EQ(drawnOf(30), 1u) << "12 times as long to both sides";
+    EXPECT_EQ(drawnOf(0), 0u);
+}
+
+TEST_P(PosedTest, APlaceThatIsRemovedTakesItsVerticesAlong) {
+    const Scene scene = bendable();
+    Camera camera;
+    camera.world[3] = {0, 0, 5, 1};
+    Renderer renderer(gl());
+    const ModelId model = *renderer.add(scene);
+    ASSERT_TRUE(renderer.show({{model}}, Wait::Yes));
+    const std::size_t atRest = renderer.memory().used(MemoryUse::Meshes);
+    for (int round = 0; round < 3; ++round) {
+        const PlaceId place = *renderer.addPlace(model, glm::dmat4(1));
+        ASSERT_TRUE(renderer.setPose(place, bent(scene, 1)));
+        ASSERT_TRUE(renderer.draw(viewpointOf(camera, 1),
+                                  {.framebuffer = surface().framebuffer(), .width = kSize, .height = kSize}));
+        EXPECT_GT(renderer.memory().used(MemoryUse::Meshes), atRest);
+        renderer.removePlace(place);
+        EXPECT_EQ(renderer.memory().used(MemoryUse::Meshes), atRest);
+    }
+}
+
+// Their vertices at rest are the same, and would be uploaded once if neither moved.
+TEST_P(PosedTest, AMeshThatBendsStandsBesideOneThatDoesNot) {
+    Scene scene = bendable();
+    scene.meshes.insert(scene.meshes.begin(), scene.meshes[0]);
+    scene.meshes[0].primitives[0].deformation.reset();
+    scene.instances[0].mesh = 1;
+    scene.instances.push_back({.name = "rigid"});
+    scene.instances[1].world[3] = {-1.2, 0, 0, 1};
+    const Pose pose = bent(scene, 0.7);
+    Scene posed = scene;
+    ASSERT_TRUE(applyPose(posed, pose));
+    Camera camera;
+    camera.world[3] = {0, 0, 5, 1};
+    const auto draw = [&](const Scene& shown, bool isPosed) {
+        Renderer renderer(gl());
+        renderer.setLighting(lightingOf(shown));
+        const ModelId model = *renderer.add(shown);
+        EXPECT_TRUE(renderer.show({{model}}, Wait::Yes));
+        if (isPosed) {
+            EXPECT_TRUE(renderer.setPose(*renderer.firstPlace(model), pose));
+        }
+        EXPECT_TRUE(renderer.draw(viewpointOf(camera, 1),
+                                  {.framebuffer = surface().framebuffer(), .width = kSize, .height = kSize}));
+        EXPECT_EQ(renderer.frameCounters().drawn, 2u);
+        return readBack();
+    };
+    const Picture expected = draw(posed, false);
+    EXPECT_LE(compareLit(draw(scene, true), expected).max(), 1);
 }
 
 // A ray meets what is drawn, wherever the pose has it.

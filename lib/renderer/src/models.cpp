@@ -35,7 +35,7 @@ Model* Models::find(ModelId id) const {
 }
 
 bool Models::isNeeded(const Model& model) const {
-    return contains(m_asked, model) || contains(m_shown, model) || contains(m_wanted, model);
+    return contains(m_asked, model) || contains(m_wanted, model);
 }
 
 void Models::forgetOldNodes(Model& model) {

@@ -156,8 +156,9 @@ private:
     std::optional<DefaultTextures> m_defaults; ///< Nothing while there is no context.
     std::vector<std::unique_ptr<Model>> m_models;
     std::unordered_map<PlaceId, Place> m_places; ///< Whose addresses stay.
-    std::vector<Model*> m_shown, m_wanted;       ///< Neither is evicted; `m_wanted` is about to be shown.
     std::vector<Model*> m_asked;                 ///< What show() was called with, resident or not.
+    std::vector<Model*> m_shown;                 ///< Of these, the resident ones.
+    std::vector<Model*> m_wanted;                ///< About to be shown. These and `m_asked` are not evicted.
     std::vector<Model*> m_queue;                 ///< To be loaded by step(); the first is being loaded.
     std::optional<Loading> m_loading;
     std::vector<std::unique_ptr<SceneLoader>> m_ending; ///< Cancelled; they keep the next one waiting.
