@@ -166,6 +166,33 @@ TEST(Steps, CallsInTheMiddleCountAtTheEnd) {
     }
 }
 
+// A material that was changed while its model was away may take a texture that none had before.
+TEST(Steps, AMaterialThatWasChangedMeanwhileBringsItsTextures) {
+    Stage stage;
+    Scene scene = ball();
+    scene.images.push_back(white(4, 4));
+    scene.textures.push_back({.image = static_cast<int>(scene.images.size()) - 1});
+    const Result<ModelId> model = stage.renderer.add(scene, [&] { return Result<Scene>(scene); });
+    ASSERT_TRUE(model);
+    Material material = *stage.renderer.materialOf(*model, 0);
+    material.textures[TextureRole::Emissive].texture = static_cast<int>(scene.textures.size()) - 1;
+    ASSERT_TRUE(stage.renderer.setMaterial(*model, 0, material)) << "a texture that nothing is drawn with";
+    Material glowing = material;
+    glowing.factors.emissive = {1, 1, 1};
+    EXPECT_EQ(stage.renderer.setMaterial(*model, 0, glowing).error().code, "renderer.material");
+    EXPECT_EQ(stage.renderer.materialOf(*model, 0)->factors.emissive, (Float3{}));
+    stage.renderer.memory().evictAll();
+    ASSERT_TRUE(stage.renderer.show({{*model}}));
+    EXPECT_TRUE(stepped(stage.renderer).empty());
+    ASSERT_EQ(resident(stage.renderer, *model), "yes");
+    ASSERT_TRUE(stage.renderer.show({}));
+    stage.renderer.memory().evictAll();
+    ASSERT_TRUE(stage.renderer.setMaterial(*model, 0, glowing));
+    ASSERT_TRUE(stage.renderer.show({{*model}}));
+    EXPECT_TRUE(stepped(stage.renderer).empty());
+    EXPECT_EQ(resident(stage.renderer, *model), "yes");
+}
+
 TEST(Steps, AnImageThatCannotBeDecodedIsLeftOut) {
     std::vector<std::string> messages;
     Renderer renderer(nullGl(), [&](LogLevel, std::string_view text) { messages.emplace_back(text); });

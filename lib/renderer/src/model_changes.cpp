@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace franken {
 namespace {
@@ -40,9 +41,10 @@ Error unknownMaterial(int index, std::size_t count) {
 }
 
 Error unknownTexture(const char* code, int index) {
-    return {code, "textures[" + std::to_string(index) + "]",
-            "no material of the model used such a texture when it was added, so that it is not loaded",
-            "use it in a material, or a variant's, before add()"};
+    return {
+        code, "textures[" + std::to_string(index) + "]",
+        "no material of the model was drawn with that texture when it was uploaded, so that it is not there",
+        "use it in a material, or a variant's, before add()"};
 }
 
 } // namespace
@@ -82,11 +84,19 @@ Result<Material> Models::materialOf(ModelId id, int index) const {
     return materials[static_cast<std::size_t>(index)];
 }
 
-Result<void> checkLoaded(const GpuScene& gpu, const Material& material) {
-    for (const TextureRef& ref : material.textures)
-        if (ref && gpu.textureOf[static_cast<std::size_t>(ref.texture)] == GpuScene::kNotUploaded)
-            return unknownTexture("renderer.material", ref.texture);
-    return {};
+Result<void> checkLoaded(Model& model, int index, const Material& values) {
+    Material& current = model.outline.scene.materials[static_cast<std::size_t>(index)];
+    Material others = values;
+    std::swap(current, others);
+    Result<void> loaded;
+    for (const GpuMaterial& material : model.gpu->materials)
+        if (material.material == index)
+            for (const int texture : planMaterial(model.outline.scene, index, material.contents).textures)
+                if (texture != kNone &&
+                    model.gpu->textureOf[static_cast<std::size_t>(texture)] == GpuScene::kNotUploaded)
+                    loaded = unknownTexture("renderer.material", texture);
+    std::swap(current, others);
+    return loaded;
 }
 
 Result<void> Models::setMaterial(ModelId id, int index, const Material& values) {
@@ -99,11 +109,11 @@ Result<void> Models::setMaterial(ModelId id, int index, const Material& values) 
     if (const Result<void> checked = check(outline, values); !checked)
         return Error{"renderer.material", checked.error().where, checked.error().what,
                      "nothing was changed: pass another value"};
-    if (model->gpu)
-        if (Result<void> loaded = checkLoaded(*model->gpu, values); !loaded)
-            return loaded;
     Material& current = outline.materials[static_cast<std::size_t>(index)];
     const bool factorsAlone = differInFactorsAlone(current, values);
+    if (model->gpu && !factorsAlone)
+        if (Result<void> loaded = checkLoaded(*model, index, values); !loaded)
+            return loaded;
     current = values;
     model->changedMaterials[index] = values;
     if (!model->gpu)

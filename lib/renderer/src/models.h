@@ -54,8 +54,9 @@ struct Model {
     std::uint64_t lastShown = 0; ///< By Device::clock.
 };
 
-/// Fails with "renderer.material" where a texture of the material was not uploaded.
-Result<void> checkLoaded(const GpuScene& gpu, const Material& material);
+/// Fails with "renderer.material" where the model, which is on the GPU, would be drawn with a texture that
+/// was not uploaded if the material had these values.
+Result<void> checkLoaded(Model& model, int index, const Material& values);
 
 /// The models of a renderer: which are on the GPU, which are shown, and where. Renderer says what its
 /// functions do.

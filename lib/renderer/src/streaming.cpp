@@ -141,7 +141,7 @@ Result<void> Models::applyMaterials(Model& model) {
     for (const auto& [index, values] : model.changedMaterials) {
         if (!isIndex(index, outline.materials.size()) || !check(outline, values))
             continue; // The source reads another file now.
-        if (Result<void> loaded = checkLoaded(*model.gpu, values); !loaded)
+        if (Result<void> loaded = checkLoaded(model, index, values); !loaded)
             return loaded;
         outline.materials[static_cast<std::size_t>(index)] = values;
         for (GpuMaterial& material : model.gpu->materials)

@@ -174,8 +174,8 @@ public:
     /// Replaces a material of the scene; `material` is an index into Scene::materials. Where only factors are
     /// others (colours, metallic, roughness, scales, cutoff), no program is looked up: some uniforms are
     /// uploaded with the next draw. Fails with "renderer.material" for an unknown index, for numbers out of
-    /// range, and for a texture that the scene does not have, or that none of its materials used when it was
-    /// added.
+    /// range, for a texture that the scene does not have, and where the model would be drawn with one that
+    /// none of its materials was drawn with when it was uploaded.
     Result<void> setMaterial(ModelId model, int material, const Material& values);
     /// The material as it is now, to be changed and set again. Fails as setMaterial() does.
     Result<Material> materialOf(ModelId model, int material) const;
