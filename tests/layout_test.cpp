@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -70,9 +71,9 @@ const Part* partOf(const std::string& file) {
 bool isSource(const fs::path& path) { return path.extension() == ".h" || path.extension() == ".cpp"; }
 
 /// Paths from the root, with slashes.
-Strings sources() {
+Strings sources(const Strings& tops = {"lib", "generator", "platform", "examples"}) {
     Strings files;
-    for (const char* top : {"lib", "generator", "platform", "examples"})
+    for (const std::string& top : tops)
         for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
             if (entry.is_regular_file() && isSource(entry.path()))
                 files.push_back(fs::relative(entry.path(), kRoot).generic_string());
@@ -162,6 +163,49 @@ TEST(Layout, PublicHeadersIncludeTheStandardLibraryAndWhatTheirPartIsMadeFor) {
         }
     }
     EXPECT_GT(headers, 40);
+}
+
+/// Names of the standard library that other headers of it bring along in one release and not in the next.
+const std::map<std::string, Strings> kNamesOfHeaders = {
+    {"algorithm",
+     {"all_of",      "any_of",      "clamp",   "copy",       "copy_n",      "count",  "count_if",
+      "equal",       "fill",        "find",    "find_if",    "lower_bound", "max",    "max_element",
+      "min",         "min_element", "none_of", "remove_if",  "reverse",     "rotate", "sort",
+      "stable_sort", "transform",   "unique",  "upper_bound"}},
+    {"cmath",
+     {"atan2", "ceil", "cos", "floor", "hypot", "isfinite", "lround", "pow", "round", "sin", "sqrt"}},
+    {"cstdlib", {"abort", "exit", "getenv", "strtod", "strtol", "system"}},
+    {"cstring", {"memcmp", "memcpy", "memset", "strcmp", "strlen"}},
+};
+
+/// The names behind "std::" in a file's code.
+std::set<std::string> standardNames(const std::string& file) {
+    const std::string space = "std::";
+    std::set<std::string> names;
+    std::ifstream in(kRoot / file);
+    for (std::string line; std::getline(in, line);) {
+        line.erase(std::min(line.find("//"), line.size()));
+        for (std::size_t at = line.find(space); at != std::string::npos; at = line.find(space, at)) {
+            at += space.size();
+            const auto end = line.find_first_not_of("abcdefghijklmnopqrstuvwxyz_0123456789", at);
+            names.insert(line.substr(at, end - at));
+        }
+    }
+    return names;
+}
+
+TEST(Layout, EachFileIncludesTheStandardHeadersThatOthersOnlyHappenToBring) {
+    for (const std::string& file : sources({"lib", "generator", "platform", "examples", "tests"})) {
+        const std::set<std::string> used = standardNames(file);
+        const std::vector<Include> includes = includesOf(file);
+        for (const auto& [header, names] : kNamesOfHeaders)
+            for (const std::string& name : names)
+                if (used.contains(name)) {
+                    EXPECT_TRUE(std::any_of(includes.begin(), includes.end(),
+                                            [&](const Include& include) { return include.name == header; }))
+                        << file << " uses std::" << name << " and does not include <" << header << ">";
+                }
+    }
 }
 
 } // namespace

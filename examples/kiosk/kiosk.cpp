@@ -5,6 +5,7 @@
 #include "franken/platform/heartbeat.h"
 #include "kiosk/screen.h"
 
+#include <algorithm>
 #include <csignal>
 #include <ctime>
 

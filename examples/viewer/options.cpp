@@ -7,6 +7,7 @@
 #include "franken/printable.h"
 
 #include <charconv>
+#include <cmath>
 #include <iostream>
 
 using namespace franken;

@@ -3,6 +3,7 @@
 
 #include "effect_rules.h"
 
+#include <algorithm>
 #include <cassert>
 #include <charconv>
 

@@ -4,6 +4,7 @@
 #include "support/shell.h"
 
 #include <array>
+#include <cstdlib>
 
 namespace franken::test {
 namespace {

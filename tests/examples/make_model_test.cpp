@@ -3,6 +3,7 @@
 #include "support/shell.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
 #include <iterator>
 #include <map>

@@ -4,6 +4,7 @@
 #include "support/gl_recorder.h"
 #include "support/shapes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace franken::test {

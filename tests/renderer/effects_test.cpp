@@ -5,6 +5,7 @@
 #include "numbers.h"
 #include "support/shell.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace franken::test {

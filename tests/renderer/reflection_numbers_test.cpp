@@ -2,6 +2,7 @@
 // The sky as surfaces mirror it, in numbers that can be worked out by hand, and textures against factors.
 #include "numbers.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace franken::test {

@@ -4,6 +4,8 @@
 #include "support/gl_recorder.h"
 #include "support/shapes.h"
 
+#include <algorithm>
+
 namespace franken::test {
 namespace {
 

@@ -7,6 +7,7 @@
 #include "franken/png.h"
 #include "support/fault_driver.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <functional>

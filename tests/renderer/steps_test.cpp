@@ -5,6 +5,7 @@
 #include "support/gl_recorder.h"
 #include "support/shapes.h"
 
+#include <algorithm>
 #include <thread>
 
 namespace franken::test {

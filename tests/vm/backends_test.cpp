@@ -9,6 +9,7 @@
 
 #include <drm_fourcc.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <thread>

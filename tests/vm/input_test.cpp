@@ -11,6 +11,7 @@
 #include <poll.h>
 #include <termios.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <thread>
 

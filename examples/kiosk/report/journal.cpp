@@ -3,6 +3,7 @@
 
 #include "franken/printable.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 

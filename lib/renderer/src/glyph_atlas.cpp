@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "glyph_atlas.h"
 
+#include <algorithm>
 #include <string>
 
 namespace franken {

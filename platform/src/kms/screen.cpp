@@ -3,6 +3,7 @@
 
 #include "commit_error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <utility>
