@@ -189,7 +189,12 @@ struct Permutation {
 struct Key {
     std::array<std::uint64_t, 2> words{}; ///< Bits 0 to 63, which are the material's, and 64 to 127.
 
-    friend auto operator<=>(const Key&, const Key&) = default;
+    friend bool operator==(const Key&, const Key&) = default;
+    /// Not defaulted: the arrays of clang 14's library have no <=>.
+    friend std::strong_ordering operator<=>(const Key& a, const Key& b) {
+        const std::strong_ordering first = a.words[0] <=> b.words[0];
+        return first != 0 ? first : a.words[1] <=> b.words[1];
+    }
 };
 
 /// Spreads keys over the upper bits: multilinear hashing (Lemire and Kaser, "Strongly universal string
