@@ -7,22 +7,32 @@
 #include "franken/printable.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
-#include <mutex>
 #include <optional>
-#include <set>
 
 namespace franken {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{16} << 10;
 
-// Lines of programs name their file when the effect is gone.
-std::string_view keptFor(std::string file) {
-    static std::mutex mutex;
-    static std::set<std::string> files;
-    const std::lock_guard lock(mutex);
-    return *files.insert(printable(file)).first;
+// Lines of programs name their file when the effect is gone. A list that only grows needs no lock, which a
+// system without threads would not have.
+struct KeptName {
+    std::string file;
+    const KeptName* next;
+};
+
+std::string_view keptFor(const std::string& file) {
+    static std::atomic<const KeptName*> first;
+    const KeptName* const seen = first;
+    for (const KeptName* kept = seen; kept != nullptr; kept = kept->next)
+        if (kept->file == file)
+            return kept->file;
+    auto* const added = new KeptName{file, seen};
+    while (!first.compare_exchange_weak(added->next, added)) {
+    }
+    return added->file;
 }
 
 const EffectHook* findHook(std::string_view name) {
@@ -198,7 +208,7 @@ Result<Effect> Effect::parse(std::string name, std::string_view text, std::strin
     text = withoutByteOrderMark(text);
     auto effect = std::make_shared<Text>();
     effect->name = std::move(name);
-    effect->file = keptFor(std::move(file));
+    effect->file = keptFor(printable(file));
     effect->hash = crc32(text);
     effect->word = wordOf(effect->name, effect->hash);
     if (Result<void> read = Reader(*effect).read(text); !read)
