@@ -75,7 +75,7 @@ Result<Permutation> fromKey(const Key& key, const SnippetSet& snippets) {
             return badKey(std::string(choice.name) + " has no value " + std::to_string(value));
         choice.set(permutation, value);
     }
-    const std::uint64_t slot = valueOf(key, kEffectBits.shift, kEffectBits.bits);
+    const auto slot = static_cast<std::size_t>(valueOf(key, kEffectBits.shift, kEffectBits.bits));
     if (slot > snippets.effects().size())
         return missingEffect("in slot " + std::to_string(slot));
     if (slot > 0)
