@@ -28,13 +28,11 @@ fi
 mkdir -p "$(dirname -- "$root")"
 work=$(mktemp -d "$root.XXXXXX")
 trap 'rm -rf -- "$work"' EXIT
-mirror=$(sed -n 's/^URIs: *\([^ ]*\).*/\1/p; s/^deb \(\[[^]]*\] \)*\([^ ]*\) .*/\2/p' \
-    /etc/apt/sources.list.d/*.sources /etc/apt/sources.list 2>/dev/null | grep -v security | head -n 1)
 
 # A state of apt's own, for the other architecture alone.
 mkdir -p "$work/apt/lists/partial" "$work/apt/archives/partial"
 : >"$work/apt/status"
-echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] ${mirror:-http://deb.debian.org/debian} $suite main" \
+echo "deb [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] $("$here/mirror.sh") $suite main" \
     >"$work/apt/sources.list"
 cat >"$work/apt/apt.conf" <<EOF
 APT::Architecture "$arch";

@@ -23,11 +23,9 @@ command -v debootstrap >/dev/null || skip "debootstrap is missing: toolchains/in
 mkdir -p "$(dirname -- "$tarball")"
 work=$(mktemp -d "$tarball.XXXXXX")
 trap 'rm -rf -- "$work"' EXIT
-mirror=$(sed -n 's/^URIs: *\([^ ]*\).*/\1/p; s/^deb \(\[[^]]*\] \)*\([^ ]*\) .*/\2/p' \
-    /etc/apt/sources.list.d/*.sources /etc/apt/sources.list 2>/dev/null | grep -v security | head -n 1)
 eatmydata=
 command -v eatmydata >/dev/null && eatmydata=eatmydata
-$eatmydata debootstrap --variant=minbase --include="$tools" "$suite" "$work/root" "${mirror:-http://deb.debian.org/debian}" \
+$eatmydata debootstrap --variant=minbase --include="$tools" "$suite" "$work/root" "$("$here/../../toolchains/mirror.sh")" \
     >"$work/log" 2>&1 || { tail -n 3 "$work/log"; skip "debootstrap cannot make a system of Debian $suite here"; }
 # No daemon is started in it, and a file is not waited for to be on the disk.
 printf '#!/bin/sh\nexit 101\n' >"$work/root/usr/sbin/policy-rc.d"
