@@ -37,6 +37,7 @@ snapshot >"$work/before"
 installed() { inside dpkg-query -W -f '${Package}\n' | sort; }
 installed >"$work/packages"
 apt install --no-install-recommends $(cd "$root" && ls -d debs/*.deb | sed 's/^/\//') libgl1-mesa-dri libegl-mesa0 libosmesa6 libstb-dev
+"$here/../embed/links.sh" "$root/usr/share/doc/frankenshader-doc" || fail "a page leads nowhere"
 
 step "use, as an ordinary user"
 user=$root/home/visitor

@@ -150,10 +150,9 @@ install(PROGRAMS tests/qpu/toolchain.sh DESTINATION ${data_dir}/qpu COMPONENT to
 install(FILES tests/qpu/qpu_stats.cpp DESTINATION ${data_dir}/qpu COMPONENT tools)
 install(DIRECTORY tests/qpu/mesa DESTINATION ${data_dir}/qpu COMPONENT tools USE_SOURCE_PERMISSIONS)
 
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT documentation)
-foreach(folder generator lib/assets lib/renderer toolchains)
-    install(FILES ${folder}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT documentation)
-endforeach()
+install(CODE "set(SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
+set(DOC_DIR \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}\")
+include(\"${CMAKE_CURRENT_LIST_DIR}/documentation.cmake\")" COMPONENT documentation)
 install(DIRECTORY examples/embed DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT documentation)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/FrankenShaderConfig.cmake.in
