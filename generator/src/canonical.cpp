@@ -55,6 +55,8 @@ std::string reasonFor(const Permutation& p, std::string_view choice) {
         return "an overlay is drawn as it is";
     if (p.view != View::Shaded)
         return "the view of the material does not show it; leave the 'view-' word out";
+    if (p.shading == Shading::Unlit && choice == "decode" && p.baseColorTexture)
+        return "an unlit texel stays in sRGB codes here, because decode and encode would cancel";
     if (p.shading == Shading::Unlit)
         return "an unlit surface shows its base colour alone; leave 'unlit' out to see it";
     if (choice == "lightVectors")

@@ -57,6 +57,12 @@ void findLight(const Permutation& p, Needs& n) {
     n.toCamera = n.direct || n.reflection || n.toEye || (n.turned && p.facingWorkaround);
 }
 
+// An unlit texel that only a factor comes to. The exact curves have a straight part, which does not cancel.
+bool staysEncoded(const Permutation& p, const Needs& n, bool unlit) {
+    return unlit && p.baseColorTexture && p.decode != Decode::None && p.output == Output::SrgbFast &&
+           !p.vertexColor && !n.baseColorHook && !n.lightHook;
+}
+
 void findMaterial(const Permutation& p, Needs& n) {
     const bool unlit = n.material && p.shading == Shading::Unlit && n.shaded;
     const bool overlay = p.program == Program::Overlay;
@@ -64,6 +70,7 @@ void findMaterial(const Permutation& p, Needs& n) {
     n.color = unlit || overlay || looked || n.direct || n.ambient;
     n.base = n.color || (n.material && p.alpha != Alpha::Opaque);
     n.baseColorHook = n.material && n.base && asks(p, kBaseColorHook);
+    n.encoded = staysEncoded(p, n, unlit);
     n.metallic = n.direct || n.skyLit || (n.material && p.view == View::RoughnessMetallic);
     n.roughness = n.direct || n.reflection || changes(p, n, kSurfaceChangesRoughness) ||
                   (n.material && p.view == View::RoughnessMetallic);
@@ -81,9 +88,9 @@ Needs needsOf(const Permutation& p) {
     findMaterial(p, n);
     const bool textures = (n.color && p.baseColorTexture) || (n.emissive && p.emissive == Emissive::Texture);
     const bool linearOverlay = p.program == Program::Overlay && p.output == Output::Linear;
-    n.decode = textures && p.decode != Decode::None && (n.material || linearOverlay);
+    n.decode = textures && !n.encoded && p.decode != Decode::None && (n.material || linearOverlay);
     const bool numbers = n.material && !n.shaded && p.view != View::BaseColor;
-    n.encode = p.output != Output::Linear && p.program != Program::Overlay && !numbers;
+    n.encode = p.output != Output::Linear && !n.encoded && p.program != Program::Overlay && !numbers;
     return n;
 }
 

@@ -24,6 +24,7 @@ struct Needs {
     bool ambient;    ///< Ambient light, of any kind.
     bool skyLit;     ///< ... that depends on the normal, as a sky's does.
     bool color;      ///< The base colour's RGB is read.
+    bool encoded;    ///< ... and stays in sRGB codes, because decode and encode would cancel.
     bool base;       ///< The base colour's RGB or alpha is read.
     bool reflection; ///< The sky's reflection.
     bool normal;     ///< A normal per pixel.

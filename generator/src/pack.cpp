@@ -56,6 +56,17 @@ Float4 packReflectance(float metallic, Brdf brdf) {
     return {kDielectricScatters * (1 - metallic), metallic, dielectric, 1 - dielectric};
 }
 
+// The power part of the sRGB curve (IEC 61966-2-1) turns a factor of light into a scale and an offset of
+// codes.
+std::array<Float3, 2> packEncoded(const Float3& factor) {
+    std::array<Float3, 2> encoded;
+    for (std::size_t i = 0; i < factor.size(); ++i) {
+        encoded[0][i] = std::pow(std::max(factor[i], 0.0f), 1 / 2.4f);
+        encoded[1][i] = 0.055f * (encoded[0][i] - 1);
+    }
+    return encoded;
+}
+
 // The most radiance of a light (as in lights/distance_attenuation.fp16).
 constexpr float kMostOfALightFp16 = 16;
 
@@ -70,6 +81,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
     return {.baseColor = factors.baseColor,
             .baseColorCubic = {scaled(base, kDecodeCubic[0]), scaled(base, kDecodeCubic[1]),
                                scaled(base, kDecodeCubic[2])},
+            .baseColorEncoded = packEncoded(base),
             .metallicRoughness = {factors.metallic, factors.roughness},
             .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
@@ -163,6 +175,7 @@ constexpr PackField kFields[] = {
      sizeof(LightsBlock::punctualWindow[0])},
     {Block::Material, "uBaseColor", offsetof(MaterialBlock, baseColor)},
     {Block::Material, "uBaseColorCubic", offsetof(MaterialBlock, baseColorCubic)},
+    {Block::Material, "uBaseColorEncoded", offsetof(MaterialBlock, baseColorEncoded)},
     {Block::Material, "uMetallicRoughness", offsetof(MaterialBlock, metallicRoughness)},
     {Block::Material, "uReflectance", offsetof(MaterialBlock, reflectance)},
     {Block::Material, "uLobe", offsetof(MaterialBlock, lobe)},

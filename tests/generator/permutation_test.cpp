@@ -213,6 +213,7 @@ const NoOp kNoOps[] = {
     {"sky+basecolor.blend+sun1", "sky", {"basecolor", "blend", "sun1"}},
     {"occlusion+sun1", "sun1", {"occlusion"}},
     {"sun1+punctual1+vertexlight", "sun1+punctual1", {"vertexlight"}},
+    {"basecolor.unlit+decode-fast+srgb-fast+vc4", "basecolor.unlit+srgb-fast", {"decode-fast", "vc4"}},
     {"basecolor.normal+sun1+view-basecolor", "basecolor.unlit", {"view-basecolor", "normal", "sun1"}},
     {"metalrough.metalrough-uv1.uv1-transform+ambient",
      "ambient",

@@ -32,8 +32,8 @@ protected:
         return red(permutation, points);
     }
 
-    /// What an unlit surface becomes whose texture is each code.
-    std::vector<double> decoded(Decode decode, Output output) {
+    /// What an unlit surface becomes whose texture is each code, times a factor of linear light.
+    std::vector<double> decoded(Decode decode, Output output, float factor = 1) {
         GlTexture codes(gl(), generate(gl().GenTextures));
         gl().ActiveTexture(GL_TEXTURE0);
         gl().BindTexture(GL_TEXTURE_2D, codes.name());
@@ -52,7 +52,7 @@ protected:
         permutation.output = output;
         std::vector<ShadedPoint> points(256);
         for (std::size_t code = 0; code < points.size(); ++code) {
-            points[code].material = packMaterial({}, Brdf::Gltf, 1);
+            points[code].material = packMaterial({.baseColor = {factor, factor, factor, 1}}, Brdf::Gltf, 1);
             points[code].uv = {(static_cast<float>(code) + 0.5f) / 256, 0.5f};
         }
         return red(permutation, points);
@@ -114,6 +114,18 @@ TEST_P(TransferTest, DecodesFast) {
 
 TEST_P(TransferTest, DoesNotDecodeWhatIsLinear) {
     EXPECT_LE(largestError(decoded(Decode::None, Output::Linear), sameCode), 0.001);
+}
+
+/// Decode and encode cancel: what is left of the error is the straight part of the sRGB curve.
+TEST_P(TransferTest, AnUnlitTexelStaysEncoded) {
+    EXPECT_LE(largestError(decoded(Decode::Fast, Output::SrgbFast), sameCode), 0.01);
+    for (const float factor : {0.8f, 0.3f, 0.05f, 0.0f}) {
+        const auto exact = [&](double code) { return toCode(factor * toLight(code)); };
+        std::vector<double> shown;
+        for (const double value : decoded(Decode::Exact, Output::SrgbFast, factor))
+            shown.push_back(std::max(value, 0.0)); // As the framebuffer clips it.
+        EXPECT_LE(largestError(shown, exact), 2.8) << factor;
+    }
 }
 
 TEST_P(TransferTest, ComesBackToTheSameCode) {

@@ -111,8 +111,9 @@ struct UvTransforms {
 
 struct MaterialBlock {
     Float4 baseColor;
-    std::array<Float3, 3> baseColorCubic; ///< The fast decode's coefficients times the factor
-    Float2 metallicRoughness;             ///< The factors, for textured materials.
+    std::array<Float3, 3> baseColorCubic;   ///< The fast decode's coefficients times the factor
+    std::array<Float3, 2> baseColorEncoded; ///< On sRGB codes: k = factor^(1/2.4), and 0.055 (k - 1)
+    Float2 metallicRoughness;               ///< The factors, for textured materials.
     Float4 reflectance; ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
                         ///< 0.04 (1 - m)
     Float3 lobe;        ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
