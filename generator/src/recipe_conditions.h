@@ -38,6 +38,10 @@ inline constexpr Condition kTangent = lights<LightForm::VertexTangent>;
 inline constexpr Condition kFp16 = is<&Permutation::precision, Precision::Fp16>;
 inline bool directInFp16(P p, N n) { return n.direct && p.precision == Precision::Fp16; }
 inline bool spotsInFp16(P p, N) { return p.spots && p.precision == Precision::Fp16; }
+// Lights that are attenuated each by its own distance. 16 bits have another form.
+inline bool atAnyDistance(P p, N n) {
+    return n.direct && p.punctualLights > 0 && p.precision == Precision::Fp32;
+}
 // VideoCore IV has 32 bits.
 inline bool onVc4(P p) { return p.target == Target::Vc4 && p.precision == Precision::Fp32; }
 inline bool fewOnVc4(P p, N n) { return n.lightForm == LightForm::PixelFew && onVc4(p); }

@@ -57,6 +57,7 @@ struct Surface {
 
 struct Angles {
   float nDotL; // N.L, at least 0
+  float arriving; // N.L, times what distance and cone leave of the light
   float nDotH2; // (N.H')^2
   float h2; // |H'|^2, kept off 0
   float fresnel; // F: Schlick's (1 - V.H)^5
@@ -122,7 +123,7 @@ Angles anglesOf(Light light, View view) {
   float nDotL = max(view.inverseN * dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
   float h2 = (dot(view.toCamera, light.direction) * view.inverseV) * 2.0 + 2.000002;
-  return Angles(nDotL, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
+  return Angles(nDotL, nDotL, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
@@ -130,11 +131,11 @@ void addLight(Light light, View view, Surface surface, inout Sum sum) {
   // F is F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
   float kept = min(4000.0 * view.nDotV * angles.nDotL, 1.0);
-  float specular = kept * (specularLobe(angles, view.nDotV, surface) * angles.nDotL);
+  float specular = kept * (specularLobe(angles, view.nDotV, surface) * angles.arriving);
   float lobeF90 = angles.fresnel * specular;
   float lobeF0 = specular - lobeF90;
   sum.specular += (lobeF90 + surface.dielectric * lobeF0) * light.radiance;
-  float weightF0 = angles.nDotL - angles.fresnel * angles.nDotL;
+  float weightF0 = angles.arriving - angles.fresnel * angles.arriving;
   vec3 absorbed = weightF0 * surface.tinted * surface.base;
   sum.diffuse += light.radiance * (weightF0 * surface.diffuse + lobeF0 * surface.metal - absorbed);
 }

@@ -79,6 +79,7 @@ struct Surface {
 
 struct Angles {
   float nDotL; // N.L, at least 0
+  float arriving; // N.L, times what distance and cone leave of the light
   float nDotH2; // (N.H')^2
   float h2; // |H'|^2, kept off 0
   float fresnel; // F: Schlick's (1 - V.H)^5
@@ -185,17 +186,17 @@ Angles anglesOf(Light light, View view) {
   h2 = h2 + h2; // a sum: VideoCore IV waits for its multiplier more than for its adder
   // squareRoot(0.25 * h2) with the quarter in the exponent, so that the lobe finds the same logarithm.
   float vDotH = exp2(0.50001 * log2(h2) - 1.0);
-  return Angles(nDotL, nDotH * nDotH, h2, fresnel(vDotH));
+  return Angles(nDotL, nDotL, nDotH * nDotH, h2, fresnel(vDotH));
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
   // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Schlick's F is
   // F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
-  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
+  float weightF0 = angles.arriving - angles.arriving * angles.fresnel;
   float specular = specularLobe(angles, view.nDotV, surface);
   float tinted = weightF0 * (surface.diffuse + surface.metal * specular);
-  float untinted = (angles.nDotL - weightF0 * surface.oneMinusF0) * specular;
+  float untinted = (angles.arriving - weightF0 * surface.oneMinusF0) * specular;
   sum.color += (surface.base * tinted + untinted) * light.radiance;
 }
 

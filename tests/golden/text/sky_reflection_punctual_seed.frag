@@ -80,6 +80,7 @@ struct Surface {
 
 struct Angles {
   float nDotL; // N.L, at least 0
+  float arriving; // N.L, times what distance and cone leave of the light
   float nDotH2; // (N.H')^2
   float h2; // |H'|^2, kept off 0
   float fresnel; // F: Schlick's (1 - V.H)^5
@@ -178,17 +179,18 @@ View viewOf(vec3 normal, vec3 toCamera) {
 }
 
 struct Light {
-  vec3 direction; // L: towards the light, unit, world space
-  vec3 radiance; // irradiance / pi
+  vec3 direction; // towards the light, any length, world space
+  vec3 radiance; // irradiance / pi where nothing attenuates it
+  float inverseLength; // 1 / |direction|
+  float attenuation; // by distance and cone
 };
 
 Angles anglesOf(Light light, View view) {
   // With unit vectors |V + L|^2 = 2 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
-  float h2 = 2.0 * dot(view.toCamera, light.direction) + 2.000002;
-  float schlick = fresnel(squareRoot(0.25 * h2)); // first: saves 3 instructions with four suns and the BRDF `seed`
-  float nDotL = max(dot(view.normal, light.direction), 0.0);
+  float h2 = dot(view.toCamera, light.direction) * light.inverseLength * 2.0 + 2.000002;
+  float nDotL = max(dot(view.normal, light.direction) * light.inverseLength, 0.0);
   float nDotH = nDotL + view.nDotV;
-  return Angles(nDotL, nDotH * nDotH, h2, schlick);
+  return Angles(nDotL, nDotL * light.attenuation, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
@@ -196,10 +198,10 @@ void addLight(Light light, View view, Surface surface, inout Sum sum) {
   // F is F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
   float kept = min(4000.0 * angles.nDotL * view.nDotV, 1.0);
-  float specular = angles.nDotL * kept * specularLobe(angles, view.nDotV, surface);
+  float specular = angles.arriving * kept * specularLobe(angles, view.nDotV, surface);
   float lobeF90 = angles.fresnel * specular;
   float lobeF0 = specular - lobeF90;
-  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
+  float weightF0 = angles.arriving - angles.arriving * angles.fresnel;
   vec3 absorbed = weightF0 * surface.tinted * surface.base;
   vec3 tinted = surface.diffuse * weightF0 + lobeF0 * surface.metal - absorbed;
   sum.color += (surface.base * tinted + (surface.dielectric * lobeF0 + lobeF90)) * light.radiance;
@@ -211,19 +213,16 @@ struct Share { // of the sky's light
   float untinted; // of the reflection
 };
 
-// distance2: in m^2. inverseRange2: 1 / range^2, 0 where the range is infinite.
-float distanceAttenuation(float distance2, float inverseRange2) {
-  // Inverse square with a window at the range: KHR_lights_punctual, "Range Property".
-  float d = distance2 * inverseRange2;
-  return clamp(1.0 - d * d, 0.0, 1.0) / max(distance2, 1.0e-8);
-}
-
-// position: from the eye, world space, m; 1 / range^2. intensity: over pi. toCamera: from the surface, m.
+// position: from the eye, world space, m; 1 / range^2, 0 where the range is infinite. intensity: over pi. toCamera: from
+// the surface, m.
 Light pointLight(vec4 position, vec3 intensity, vec3 toCamera) {
   vec3 toLight = position.xyz + toCamera;
-  float distance2 = dot(toLight, toLight);
-  vec3 direction = toLight * inverseSquareRoot(max(distance2, 1.0e-8));
-  return Light(direction, intensity * distanceAttenuation(distance2, position.w));
+  float distance2 = max(dot(toLight, toLight), 1.0e-8);
+  float inverseLength = inverseSquareRoot(distance2);
+  // Inverse square with a window at the range: KHR_lights_punctual, "Range Property".
+  float d = distance2 * position.w;
+  float attenuation = max(1.0 - d * d, 0.0) * (inverseLength * inverseLength);
+  return Light(toLight, intensity, inverseLength, attenuation);
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
@@ -266,7 +265,7 @@ void main() {
   Sum sum;
   sum.color = color;
 
-  addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
+  addLight(Light(uSun0Direction, uSun0Radiance, 1.0, 1.0), view, surface, sum);
   addLight(pointLight(uPunctual0Position, uPunctual0Radiance, vToCamera), view, surface, sum);
 
   color = sum.color;

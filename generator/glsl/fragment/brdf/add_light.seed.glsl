@@ -6,11 +6,11 @@ void addLight(Light light, View view, Surface surface, inout Sum sum) {
   // F is F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
   float kept = min(4000.0 * view.nDotV * angles.nDotL, 1.0);
-  float specular = kept * (specularLobe(angles, view.nDotV, surface) * angles.nDotL);
+  float specular = kept * (specularLobe(angles, view.nDotV, surface) * angles.arriving);
   float lobeF90 = angles.fresnel * specular;
   float lobeF0 = specular - lobeF90;
   sum.specular += (lobeF90 + surface.dielectric * lobeF0) * light.radiance;
-  float weightF0 = angles.nDotL - angles.fresnel * angles.nDotL;
+  float weightF0 = angles.arriving - angles.fresnel * angles.arriving;
   vec3 absorbed = weightF0 * surface.tinted * surface.base;
   sum.diffuse += light.radiance * (weightF0 * surface.diffuse + lobeF0 * surface.metal - absorbed);
 }

@@ -3,6 +3,7 @@
 //! functions
 struct Angles {
   float nDotL; // N.L, at least 0
+  float arriving; // N.L, times what distance and cone leave of the light
   float nDotH2; // (N.H')^2
   float sine2; // |N x H'|^2
   float h2; // |H'|^2, kept off 0

@@ -12,5 +12,5 @@ Angles anglesOf(Light light, View view) {
   float h2 = max(dot(halfVector, halfVector), 0.01);
   float nDotL = max(dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
-  return Angles(nDotL, nDotH * nDotH, dot(crossed, crossed), h2, fresnel(squareRoot(0.25 * h2)));
+  return Angles(nDotL, nDotL, nDotH * nDotH, dot(crossed, crossed), h2, fresnel(squareRoot(0.25 * h2)));
 }

@@ -12,5 +12,5 @@ Angles anglesOf(Light light, View view) {
   float schlick = fresnel(squareRoot(0.25 * h2)); // first: saves 3 instructions with four suns and the BRDF `seed`
   float nDotL = max(dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
-  return Angles(nDotL, nDotH * nDotH, h2, schlick);
+  return Angles(nDotL, nDotL, nDotH * nDotH, h2, schlick);
 }

@@ -13,5 +13,5 @@ Angles anglesOf(Light light, View view) {
   float nDotL = max(dot(view.normal, light.direction) * view.inverseN, 0.0);
   float nDotH = dot(view.normal, light.halfVector);
   float h2 = dot(view.normal, view.normal) * dot(light.halfVector, light.halfVector);
-  return Angles(nDotL, nDotH * nDotH, h2, light.fresnel);
+  return Angles(nDotL, nDotL, nDotH * nDotH, h2, light.fresnel);
 }

@@ -11,5 +11,5 @@ Angles anglesOf(Light light, View view) {
   float nDotL = max(view.inverseN * dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
   float h2 = (dot(view.toCamera, light.direction) * view.inverseV) * 2.0 + 2.000002;
-  return Angles(nDotL, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
+  return Angles(nDotL, nDotL, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
 }

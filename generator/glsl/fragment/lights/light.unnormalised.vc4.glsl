@@ -12,5 +12,6 @@ Angles anglesOf(Light light, View view) {
   float facingLight = max(dot(view.normal, light.direction), 0.0);
   float nDotH = facingLight + view.facing;
   float h2 = (dot(view.toCamera, light.direction) * view.inverseV) * 2.0 + view.v2;
-  return Angles(facingLight * view.inverseN, nDotH * nDotH, view.n2 * h2, fresnel(squareRoot(0.25 * h2)));
+  float nDotL = facingLight * view.inverseN;
+  return Angles(nDotL, nDotL, nDotH * nDotH, view.n2 * h2, fresnel(squareRoot(0.25 * h2)));
 }

@@ -14,5 +14,5 @@ Angles anglesOf(Light light, View view) {
   h2 = h2 + h2; // a sum: VideoCore IV waits for its multiplier more than for its adder
   // squareRoot(0.25 * h2) with the quarter in the exponent, so that the lobe finds the same logarithm.
   float vDotH = exp2(0.50001 * log2(h2) - 1.0);
-  return Angles(nDotL, nDotH * nDotH, h2, fresnel(vDotH));
+  return Angles(nDotL, nDotL, nDotH * nDotH, h2, fresnel(vDotH));
 }

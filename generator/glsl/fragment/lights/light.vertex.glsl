@@ -16,5 +16,5 @@ Angles anglesOf(Light light, View view) {
   // |V + L|^2 = |V|^2 + 1 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
   float nDotL = max(dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
-  return Angles(nDotL, nDotH * nDotH, 2.0 * light.vDotL + view.v2, light.fresnel);
+  return Angles(nDotL, nDotL, nDotH * nDotH, 2.0 * light.vDotL + view.v2, light.fresnel);
 }
