@@ -76,8 +76,9 @@ inline bool anglesByLogarithms(P p, N n) {
 }
 // Where it was found to pay (docs/mathematics.md, One division a light).
 inline bool lobeByLogarithms(P p, N n) {
-    const bool shorter =
-        n.lightForm == LightForm::VertexTangent || (n.lightForm == LightForm::PixelUnit && n.reflection);
+    const bool two = n.lightForm == LightForm::PixelFew && n.normalMap && p.suns == 2;
+    const bool mirrored = n.lightForm == LightForm::PixelUnit && n.reflection;
+    const bool shorter = n.lightForm == LightForm::VertexTangent || mirrored || two;
     return onVc4(p) && p.brdf == Brdf::Gltf && shorter;
 }
 // Only 16 bits have a lobe of their own for a product.
