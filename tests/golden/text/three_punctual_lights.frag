@@ -137,8 +137,8 @@ void addLight(Light light, View view, Surface surface, inout Sum sum) {
   sum.specular += light.radiance * (specular * (angles.arriving - weightF0 * surface.oneMinusF0));
 }
 
-// position: from the eye, world space, m; 1 / range^2, 0 where the range is infinite. intensity: over pi. toCamera: from
-// the surface, m.
+// position: from the eye, world space, m; 1 / range^2, 0 where the range is infinite. intensity: over pi. toCamera:
+// from the surface, m.
 Light pointLight(vec4 position, vec3 intensity, vec3 toCamera) {
   vec3 toLight = position.xyz + toCamera;
   float distance2 = max(dot(toLight, toLight), 1.0e-8);

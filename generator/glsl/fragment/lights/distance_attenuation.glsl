@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Point lights, and spot lights but for their cone: KHR_lights_punctual.
 //! functions
-// position: from the eye, world space, m; 1 / range^2, 0 where the range is infinite. intensity: over pi. toCamera: from
-// the surface, m.
+// position: from the eye, world space, m; 1 / range^2, 0 where the range is infinite. intensity: over pi. toCamera:
+// from the surface, m.
 Light pointLight(vec4 position, vec3 intensity, vec3 toCamera) {
   vec3 toLight = position.xyz + toCamera;
   float distance2 = max(dot(toLight, toLight), 1.0e-8);
