@@ -15,6 +15,8 @@ cmake --preset package-static >/dev/null
 cmake --build --preset package-static -- --quiet
 cmake --preset package -DFRANKEN_DEBIAN_REVISION="$revision" -DFRANKEN_STATIC_TREE="$static" >/dev/null
 cmake --build --preset package -- --quiet
+# The site, where there is Doxygen.
+ninja -C "$shared" -t query docs >/dev/null 2>&1 && cmake --build --preset package --target docs -- --quiet
 rm -rf build/packages
 umask 022
 cpack --config "$shared/CPackConfig.cmake" -B "$root/build/packages" >"$shared/cpack.log" 2>&1 || { cat "$shared/cpack.log" >&2; exit 1; }

@@ -153,6 +153,8 @@ install(DIRECTORY tests/qpu/mesa DESTINATION ${data_dir}/qpu COMPONENT tools USE
 install(CODE "set(SOURCE_DIR \"${PROJECT_SOURCE_DIR}\")
 set(DOC_DIR \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}\")
 include(\"${CMAKE_CURRENT_LIST_DIR}/documentation.cmake\")" COMPONENT documentation)
+# The site, where the target docs was built before.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/docs/site/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/html COMPONENT documentation OPTIONAL)
 install(DIRECTORY examples/embed DESTINATION ${CMAKE_INSTALL_DOCDIR}/examples COMPONENT documentation)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/FrankenShaderConfig.cmake.in

@@ -13,6 +13,7 @@ namespace FRANKEN_API franken {
 // Ambient light: all that is known of its kinds, beside their words (choices.cpp) and their snippets
 // (recipe.cpp, generator/glsl/fragment/ambient). Radiances are linear.
 
+/// What lights a surface from all sides.
 enum class Ambient : std::uint8_t {
     None,
     Color, ///< The same light from everywhere.
@@ -42,7 +43,7 @@ double brightestSide(const AmbientLight& light);
 
 /// What programs with ambient light are fed with; a program reads the values of its kind.
 struct AmbientBlock {
-    Float3 color;
+    Float3 color;              ///< Ambient::Color: radiance of all directions, times the exposure.
     std::array<Float3, 9> sky; ///< The polynomial in the normal that the coefficients make
 };
 

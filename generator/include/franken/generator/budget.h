@@ -24,14 +24,14 @@ enum class Resource : std::uint8_t {
     Lights,           ///< Suns and punctual lights; a compiler that cannot spill has registers for some only.
 };
 
-inline constexpr std::size_t kResourceCount = 6;
+inline constexpr std::size_t kResourceCount = 6; ///< Values of Resource.
 
 /// "varyings": one word, for tables and JSON.
 std::string_view toText(Resource resource);
 
 /// The limits of one kind of GPU, as its GLES2 driver states them.
 struct Profile {
-    std::string_view name;
+    std::string_view name;    ///< "vc4": what findProfile() takes.
     std::string_view meaning; ///< The machines that it represents, and the source of the figures.
     /// By Resource. The limit of lights is a lower bound: where a compiler cannot spill, a program that holds
     /// little else has registers for more lights.
@@ -48,16 +48,20 @@ Result<Profile> findProfile(std::string_view name);
 /// A program's use of one resource.
 struct Use {
     Resource resource;
+    /// What the program takes, and what the GPU has.
     int used, limit;
+    /// More than the GPU has.
     bool exceeded() const { return used > limit; }
 };
 
+/// What a program uses of each resource of a GPU.
 struct Budget {
     std::array<Use, kResourceCount> uses; ///< By Resource.
     /// The program's texture roles (texture_role.h) whose fixed unit the GPU lacks, however few textures the
     /// program has.
     std::vector<std::string_view> rolesBeyond;
 
+    /// The program's use of that resource.
     const Use& operator[](Resource resource) const { return uses[static_cast<std::size_t>(resource)]; }
     bool fits() const; ///< No limit is exceeded, and each role has its unit.
 };

@@ -16,18 +16,18 @@ struct Option {
 
 /// One row of the table that names, packs, parses, lists and flips the choices of a permutation.
 struct Choice {
-    std::string_view name;           ///< That of the member of Permutation.
-    bool material;                   ///< Joined by '.' in a name; others by '+'.
-    unsigned shift, bits;            ///< Its place in the key, from 0 to 127; never over both words.
-    std::span<const Option> options; ///< The first is the default.
-    unsigned (*get)(const Permutation&);
-    void (*set)(Permutation&, unsigned);
+    std::string_view name;               ///< That of the member of Permutation.
+    bool material;                       ///< Joined by '.' in a name; others by '+'.
+    unsigned shift, bits;                ///< Its place in the key, from 0 to 127; never over both words.
+    std::span<const Option> options;     ///< The first is the default.
+    unsigned (*get)(const Permutation&); ///< Its option in a permutation: an index into `options`.
+    void (*set)(Permutation&, unsigned); ///< Sets that option, which must be in range.
 };
 
 /// A range of key bits that a later feature will use.
 struct ReservedBits {
-    std::string_view name;
-    unsigned shift, bits;
+    std::string_view name; ///< The feature that it waits for.
+    unsigned shift, bits;  ///< Its place in the key, as a Choice's.
 };
 
 /// The bits that say which schema a key is of.

@@ -29,12 +29,14 @@ std::string toString(const LineOrigin& origin, std::string_view folder = kSnippe
 /// One shader, ready for glShaderSource, and the origin of each of its lines. Drivers misreport #line, so
 /// the text holds none: look an error's line up here.
 struct ComposedStage {
-    std::string text;
+    std::string text;                   ///< GLSL ES 1.00, for glShaderSource().
     std::vector<LineOrigin> lines;      ///< lines[0] is line 1.
     std::string folder{kSnippetFolder}; ///< Of the snippets; errors name it.
 };
 
+/// A program: the texts of both stages, and what goes into them.
 struct Composed {
+    /// The two stages.
     ComposedStage vertex;
     ComposedStage fragment;
     Interface interface;

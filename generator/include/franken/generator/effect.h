@@ -74,10 +74,11 @@ public:
     ///     effect.signature   the function takes or returns something else
     static Result<Effect> parse(std::string name, std::string_view text, std::string file);
 
-    const std::string& name() const;
+    const std::string& name() const;                  ///< As it was given to parse().
     std::uint32_t hash() const;                       ///< CRC-32 of the text.
     const std::string& word() const;                  ///< In names of permutations: "fog@afb248b9".
     const std::vector<std::string>& uniforms() const; ///< "uFog", in the order of the values.
+    /// For a Permutation, where a SnippetSet has the effect in that slot.
     EffectChoice choice(std::uint8_t slot) const;
 
     /// The generator's own business (src/effect_text.h).

@@ -28,23 +28,26 @@ enum class Block : std::uint8_t {
     Object,   ///< With every object drawn.
     User,     ///< When the application says so: the values of its effect (effect.h).
 };
-inline constexpr std::size_t kBlocks = 5;
+inline constexpr std::size_t kBlocks = 5; ///< Values of Block.
 
-std::string_view toText(Block block);
+std::string_view toText(Block block); ///< "material": one word, for tables and JSON.
 
+/// An input of the vertex shader: what differs from vertex to vertex.
 struct Attribute {
-    std::string name;
+    std::string name; ///< "aPosition"
     Type type;
     int location; ///< Fixed per name over all programs; see attributeLocation.
 };
 
+/// What the vertex shader hands to the fragment shader, interpolated.
 struct Varying {
-    std::string name;
+    std::string name; ///< "vNormal"
     Type type;
 };
 
+/// A value that is the same for a whole draw; fieldOffset() (pack.h) says where it is found.
 struct Uniform {
-    std::string name;
+    std::string name; ///< "uBaseColor"
     Type type;
     int count; ///< Array length; 1 if it is no array.
     Block block;
@@ -52,8 +55,9 @@ struct Uniform {
     int value = 0;         ///< Of Block::User: which of the effect's values it is.
 };
 
+/// A texture that the fragment shader reads.
 struct Sampler {
-    std::string name;
+    std::string name; ///< "uBaseColorTexture"
     Type type;
     int unit; ///< Fixed per name over all programs; see samplerUnit.
     Block block;
@@ -61,6 +65,7 @@ struct Sampler {
 
 /// All inputs of a program. The runtime reads them from here, so that it cannot disagree with the text.
 struct Interface {
+    /// Each in the order of the text.
     std::vector<Attribute> attributes;
     std::vector<Varying> varyings;
     std::vector<Uniform> uniforms;

@@ -14,15 +14,15 @@ namespace FRANKEN_API franken {
 ///
 /// Each rung drops one feature; later rungs are more visible:
 ///
-///  1. the effect of the application
-///  2. the form for a GPU: another text, the same picture
-///  3. dithering
-///  4. lights beyond two suns and two punctual lights
-///  5. lights beyond the first sun, or the first punctual light where there is no sun
-///  6. the sky's reflection
-///  7. normal and occlusion maps
-///  8. textures of metalness, roughness and emission: factors alone
-///  9. light and tone map: the base colour as it is
+/// 1. the effect of the application
+/// 2. the form for a GPU: another text, the same picture
+/// 3. dithering
+/// 4. lights beyond two suns and two punctual lights
+/// 5. lights beyond the first sun, or the first punctual light where there is no sun
+/// 6. the sky's reflection
+/// 7. normal and occlusion maps
+/// 8. textures of metalness, roughness and emission: factors alone
+/// 9. light and tone map: the base colour as it is
 /// 10. the base colour's texture, vertex colours, the alpha mask: one colour
 ///
 /// A rung reads no attribute and no texture that the rung above does not read, so that it can be drawn with

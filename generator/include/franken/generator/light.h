@@ -12,6 +12,7 @@ namespace FRANKEN_API franken {
 // Lights with a direction or a place, as applications give them (ambient.h has the light from all around);
 // pack.h folds them for programs.
 
+/// The library's plain vectors: this part has no GLM.
 using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Double3 = std::array<double, 3>;
@@ -29,12 +30,12 @@ struct Sun {
 
 /// A point or spot light (KHR_lights_punctual).
 struct PunctualLight {
-    Double3 position{0, 0, 0};  ///< World space, m
-    Float3 direction{0, 0, -1}; ///< Where a spot shines, world space; any length but 0
-    Float3 color{1, 1, 1};      ///< Linear
-    float intensity = 0;        ///< candela, 0 and up
-    float range = 0;            ///< m; 0 is infinite
-    bool spot = false;
+    Double3 position{0, 0, 0};     ///< World space, m
+    Float3 direction{0, 0, -1};    ///< Where a spot shines, world space; any length but 0
+    Float3 color{1, 1, 1};         ///< Linear
+    float intensity = 0;           ///< candela, 0 and up
+    float range = 0;               ///< m; 0 is infinite
+    bool spot = false;             ///< It has a cone; else it is a point light, and the angles are ignored.
     float innerCone = 0;           ///< radians, 0 to outerCone
     float outerCone = 0.78539816f; ///< radians, up to pi/2
 };

@@ -13,7 +13,7 @@ namespace FRANKEN_API franken {
 
 /// A line of a manifest: a program's name, and the GL state in which it draws.
 struct ManifestLine {
-    std::string_view name;
+    std::string_view name;  ///< As toName() writes it.
     std::string_view state; ///< Words with a '=', separated by spaces; the runtime reads them. May be empty.
     std::size_t number = 0; ///< From 1.
 };
@@ -24,6 +24,7 @@ struct ManifestLine {
 /// not checked. The lines refer to the text.
 std::vector<ManifestLine> manifestLines(std::string_view text);
 
+/// The lines of a checked manifest.
 struct ManifestLines {
     std::vector<ManifestLine> lines; ///< They refer to the text.
     bool byUs;                       ///< wholeManifest() made the text.

@@ -50,23 +50,27 @@ float reflectionBend(float roughness, float metallic);
 
 /// A glTF material's numbers, as they stand in the file; colours linear. kMaterialFactors has their ranges.
 struct MaterialFactors {
-    Float4 baseColor{1, 1, 1, 1};
-    float metallic = 1;
-    float roughness = 1;
-    float normalScale = 1;
-    float occlusionStrength = 1;
-    Float3 emissive{0, 0, 0}; ///< Factor times KHR_materials_emissive_strength; radiance
-    float alphaCutoff = 0.5f;
+    Float4 baseColor{1, 1, 1, 1}; ///< Linear; the alpha last. Multiplies texture and vertex colour.
+    float metallic = 1;           ///< 0 (a dielectric) to 1.
+    float roughness = 1;          ///< Perceptual: 0 (a mirror) to 1.
+    float normalScale = 1;        ///< Of X and Y in the normal map.
+    float occlusionStrength = 1;  ///< How much of the occlusion map counts, 0-1.
+    Float3 emissive{0, 0, 0};     ///< Factor times KHR_materials_emissive_strength; radiance
+    float alphaCutoff = 0.5f;     ///< Alpha::Mask: what is less is not drawn.
 };
 
 /// What a factor may be: finite, and from `least` to `most`.
 struct FactorRange {
+    /// Both are allowed.
     float least, most;
     std::string_view rule; ///< The same in words
 };
+/// For shares: metallic, roughness, occlusion.
 inline constexpr FactorRange kUnitFactor{0, 1, "it must be 0 to 1"};
+/// For what has no upper end: emission.
 inline constexpr FactorRange kAmountFactor{0, std::numeric_limits<float>::max(),
                                            "it must be finite, and 0 or more"};
+/// For what has no end: the scale of a normal map.
 inline constexpr FactorRange kAnyFactor{std::numeric_limits<float>::lowest(),
                                         std::numeric_limits<float>::max(), "it must be finite"};
 
@@ -78,9 +82,11 @@ struct FactorRow {
     FactorRange inFile;      ///< What a glTF file may say; what is beyond it is clamped
     std::string_view gltf;   ///< Where a material of a glTF file has it, a JSON pointer
 
+    /// The factor in a material: as many floats as it has.
     std::span<float> of(MaterialFactors& factors) const {
         return {reinterpret_cast<float*>(&factors) + bytes / sizeof(float), size / sizeof(float)};
     }
+    /// The factor in a material: as many floats as it has.
     std::span<const float> of(const MaterialFactors& factors) const {
         return {reinterpret_cast<const float*>(&factors) + bytes / sizeof(float), size / sizeof(float)};
     }
@@ -106,24 +112,26 @@ inline constexpr FactorRow kMaterialFactors[] = {
 
 /// KHR_texture_transform of the two streams of texture coordinates.
 struct UvTransforms {
+    /// Column by column, as uniforms have them; at first they change nothing.
     Float9 uv0{1, 0, 0, 0, 1, 0, 0, 0, 1}, uv1{1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
+/// The uniforms of Block::Material.
 struct MaterialBlock {
-    Float4 baseColor;
+    Float4 baseColor;                       ///< The factor, linear.
     std::array<Float3, 3> baseColorCubic;   ///< The fast decode's coefficients times the factor
     std::array<Float3, 2> baseColorEncoded; ///< On sRGB codes: k = factor^(1/2.4), and 0.055 (k - 1)
     Float2 metallicRoughness;               ///< The factors, for textured materials.
     Float4 reflectance; ///< Scattered, m, 0.04 (1 - m), what of `scattered` goes with the base (seed) or 1 -
                         ///< 0.04 (1 - m)
     Float3 lobe;        ///< 1 - alpha^2, and the two coefficients of the BRDF's shadowing
-    Float3 reflectionLobe; ///< Roughness; reflectionBend(), and 2 less that
-    Float2 occlusion;      ///< strength, 1 - strength
-    Float3 emissive;
+    Float3 reflectionLobe;               ///< Roughness; reflectionBend(), and 2 less that
+    Float2 occlusion;                    ///< strength, 1 - strength
+    Float3 emissive;                     ///< The factor, times the exposure.
     std::array<Float3, 3> emissiveCubic; ///< As baseColorCubic
-    float normalScale;
-    float alphaCutoff;
-    UvTransforms uv; ///< Those of packMaterial() change nothing
+    float normalScale;                   ///< MaterialFactors::normalScale.
+    float alphaCutoff;                   ///< MaterialFactors::alphaCutoff.
+    UvTransforms uv;                     ///< Those of packMaterial() change nothing
 };
 
 /// Folds a material for programs with that BRDF. Exposure multiplies what the surface emits.
@@ -132,6 +140,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
 /// The same for programs of a precision: in 16-bit floats the roughness has its floor, and light its limit.
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure, Precision precision);
 
+/// The uniforms of Block::Lights.
 struct LightsBlock {
     AmbientBlock ambient;                                         ///< See packAmbient()
     std::array<Float3, Permutation::kMaxLights> sunDirection;     ///< Towards the sun, unit
@@ -155,6 +164,7 @@ void packPunctualLight(LightsBlock& block, std::size_t index, const PunctualLigh
 /// from the eye, m. No light becomes dimmer that does not make every surface white.
 void fitToFp16(LightsBlock& block, float farthest);
 
+/// The uniforms of Block::Frame.
 struct FrameBlock {
     Float3 cameraPosition; ///< In the space that ObjectBlock::model leads to, m
     Float9 clipToSky;      ///< (x, y, 1) in clip space to a direction in the sky
@@ -171,8 +181,9 @@ float lengthScaleFp16(float farthest);
 /// The dither amplitude of a target with that many bits in each channel (1-16): one step of its codes.
 Float3 packDither(const std::array<int, 3>& bits);
 
+/// The uniforms of Block::Object.
 struct ObjectBlock {
-    Float16 modelViewProjection;
+    Float16 modelViewProjection; ///< Column by column, from the mesh to clip space.
     Float16 model;       ///< To the world, or to the world as seen from the eye: the camera is at 0 then
     Float9 normalMatrix; ///< Inverse transpose of the model's upper 3x3; any scale
     Float9 overlay;      ///< Overlays alone: (x, y, 1) in their units to clip space
@@ -180,7 +191,7 @@ struct ObjectBlock {
 
 /// The values of an effect, in the order in which its text declares them; they mean what it says.
 struct EffectBlock {
-    std::array<Float4, kEffectValues> values;
+    std::array<Float4, kEffectValues> values; ///< As the text declares them.
 };
 
 /// Where a uniform's value starts in its block, in floats; -1 where the block has no such uniform. Tests

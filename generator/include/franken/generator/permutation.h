@@ -31,6 +31,7 @@ enum class MetallicRoughness : std::uint8_t {
     Separate, ///< Two textures, R of each; times the factors.
 };
 
+/// Where a surface's normal comes from.
 enum class Normal : std::uint8_t {
     Vertex, ///< The interpolated vertex normal.
     Map,    ///< A tangent-space normal map with a scale; needs tangents.
@@ -43,14 +44,17 @@ enum class Occlusion : std::uint8_t {
     Packed,  ///< R of the packed metallic-roughness texture: no second fetch.
 };
 
+/// What a surface emits: nothing, a colour, or a texture times a colour.
 enum class Emissive : std::uint8_t { None, Factor, Texture };
 
+/// What the alpha of the base colour does.
 enum class Alpha : std::uint8_t {
     Opaque, ///< Alpha is ignored and written as 1.
     Mask,   ///< Below the cutoff nothing is drawn; the rest is opaque.
     Blend,  ///< Written as it is (not premultiplied), for source-over blending.
 };
 
+/// Which sides of a triangle are seen.
 enum class Sides : std::uint8_t {
     Single,
     Double, ///< The normal is turned towards the viewer on back faces.
@@ -59,6 +63,7 @@ enum class Sides : std::uint8_t {
 /// The two streams of texture coordinates.
 enum class UvStream : std::uint8_t { Uv0, Uv1 };
 
+/// Whether light shades a surface.
 enum class Shading : std::uint8_t {
     Lit,
     Unlit, ///< KHR_materials_unlit: base colour alone; not tone-mapped, still encoded.
@@ -93,6 +98,7 @@ enum class Decode : std::uint8_t {
     None,  ///< Texels are taken as linear, as the seed's program takes them.
 };
 
+/// How the sum of all light is brought into 0-1, before it is encoded.
 enum class ToneMap : std::uint8_t {
     None,     ///< Clipped at 1.
     Reinhard, ///< c / (1 + c).
@@ -108,6 +114,7 @@ enum class Output : std::uint8_t {
     Linear,   ///< Not encoded: for a target that encodes by itself.
 };
 
+/// Whether rounding to the target's codes is spread over neighbours.
 enum class Dither : std::uint8_t {
     None,
     Ordered, ///< A 4x4 Bayer pattern with an amplitude per channel: for 8-bit, 18-bit and 565 panels.
@@ -128,7 +135,7 @@ enum class Precision : std::uint8_t {
 /// An effect of the application's (effect.h), by its slot in the registry of a SnippetSet, with what of it
 /// shapes a program. Effect::choice() and SnippetSet::chooseEffect() make it; default-constructed it is none.
 struct EffectChoice {
-    static constexpr std::uint8_t kMaxSlot = 63;
+    static constexpr std::uint8_t kMaxSlot = 63; ///< Effects that one SnippetSet can have.
 
     std::uint8_t slot = 0;    ///< From 1; 0 is no effect.
     std::uint16_t traits = 0; ///< Bits of EffectTrait: its hooks, and what they read.
@@ -143,8 +150,8 @@ struct Permutation {
 
     Program program = Program::Surface;
 
-    bool baseColorTexture = false;
-    bool vertexColor = false;
+    bool baseColorTexture = false; ///< A texture multiplies the base colour.
+    bool vertexColor = false;      ///< COLOR_0 of the mesh multiplies the base colour.
     MetallicRoughness metallicRoughness = MetallicRoughness::Factors;
     Normal normal = Normal::Vertex;
     Occlusion occlusion = Occlusion::None;
@@ -152,13 +159,14 @@ struct Permutation {
     Alpha alpha = Alpha::Opaque;
     Sides sides = Sides::Single;
 
+    /// Which stream of texture coordinates each texture is read with.
     UvStream baseColorUv = UvStream::Uv0;
     UvStream metallicRoughnessUv = UvStream::Uv0;
     UvStream normalUv = UvStream::Uv0;
     UvStream occlusionUv = UvStream::Uv0;
     UvStream emissiveUv = UvStream::Uv0;
     bool uv0Transform = false; ///< Stream 0 passes through a KHR_texture_transform matrix.
-    bool uv1Transform = false;
+    bool uv1Transform = false; ///< The same for stream 1.
 
     Shading shading = Shading::Lit;
     Brdf brdf = Brdf::Gltf;
@@ -179,7 +187,7 @@ struct Permutation {
     bool facingWorkaround = false; ///< Back faces are found by N.V: for drivers whose gl_FrontFacing lies.
     Precision precision = Precision::Fp32;
 
-    EffectChoice effect{};
+    EffectChoice effect{}; ///< The application's own; none at first.
 
     friend bool operator==(const Permutation&, const Permutation&) = default;
 };
@@ -223,6 +231,7 @@ Result<Key> checkedKey(const Permutation& permutation);
 /// the slot that the key has.
 Result<Permutation> fromKey(const Key& key, const SnippetSet& snippets = SnippetSet::builtIn());
 
+/// A shader of a program.
 enum class Stage : std::uint8_t { Vertex, Fragment };
 
 /// Tells one stage's text from another's: canonical permutations with equal stage keys have equal texts
@@ -248,9 +257,10 @@ struct Dropped {
     friend bool operator==(const Dropped&, const Dropped&) = default;
 };
 
+/// What canonicalise() returns.
 struct Canonical {
     Permutation permutation;
-    std::vector<Dropped> dropped;
+    std::vector<Dropped> dropped; ///< Choices that changed nothing, in the order of choices.h.
 };
 
 /// Refuses contradictions ("permutation.contradiction") and values that no choice has ("permutation.range"),
@@ -261,7 +271,9 @@ Result<Canonical> canonicalise(const Permutation& permutation);
 } // namespace franken
 
 template<>
+/// For std::unordered_map.
 struct std::hash<franken::Key> {
+    /// hashOf(), folded to the size of a std::size_t.
     std::size_t operator()(const franken::Key& key) const noexcept {
         const std::uint64_t mixed = franken::hashOf(key);
         return static_cast<std::size_t>(mixed ^ mixed >> 32); // Tables of a power of two take the lower bits.

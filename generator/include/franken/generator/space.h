@@ -22,6 +22,7 @@ public:
     Result<void> require(std::string_view word);
     Result<void> forbid(std::string_view word);
 
+    /// Whether all that was required holds for the permutation, which is canonical.
     bool contains(const Permutation& permutation) const;
 
     /// The number of combinations of the remaining values, contradictions and no-ops included: about 6.8e12

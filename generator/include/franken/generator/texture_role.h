@@ -41,14 +41,14 @@ inline constexpr std::size_t kTextureUnits = 16;
 
 /// All that is known of a role. Roles share a unit where no program has both.
 struct TextureRoleRow {
-    TextureRole role;
+    TextureRole role;                  ///< Its place in the table.
     std::string_view name;             ///< For messages: "base colour"
     std::string_view word;             ///< That asks for it in a permutation's name: "basecolor"
     std::string_view sampler;          ///< "uBaseColorTexture"
     std::size_t unit;                  ///< Fixed over all programs; below kTextureUnits
     UvStream Permutation::*stream;     ///< The choice of its texture coordinates; null where it has none
     bool (*there)(const Permutation&); ///< Whether the permutation has such a texture
-    TextureContents contents;
+    TextureContents contents;          ///< How texels are read.
     std::array<std::uint8_t, 4> defaultTexel; ///< What stands in for a missing texture, RGBA
     bool repeats;                             ///< Its coordinates leave 0-1; else it is clamped
     std::string_view
@@ -57,6 +57,7 @@ struct TextureRoleRow {
 
 namespace roles {
 
+/// Short names for the table below.
 using P = const Permutation&;
 using Texel = std::array<std::uint8_t, 4>;
 
@@ -64,6 +65,7 @@ inline constexpr Texel kWhite = {255, 255, 255, 255}; ///< Factors alone remain.
 inline constexpr Texel kFlat = {128, 128, 255, 255};  ///< The normal (0, 0, 1).
 inline constexpr Texel kBlack = {0, 0, 0, 0};         ///< Nothing shines, and nothing is reflected.
 
+/// The table: textureRoles() returns it.
 inline constexpr TextureRoleRow kRows[] = {
     {TextureRole::BaseColor, "base colour", "basecolor", "uBaseColorTexture", 0, &Permutation::baseColorUv,
      [](P p) { return p.baseColorTexture; }, TextureContents::Color, kWhite, true,
@@ -100,6 +102,7 @@ inline constexpr TextureRoleRow kRows[] = {
 /// All roles, in the order of the enum.
 constexpr std::span<const TextureRoleRow> textureRoles() { return roles::kRows; }
 
+/// Costs an index into the table.
 constexpr const TextureRoleRow& rowOf(TextureRole role) {
     return textureRoles()[static_cast<std::size_t>(role)];
 }
@@ -142,6 +145,7 @@ static_assert(kUsedTextureUnits <= kTextureUnits);
 
 namespace roles {
 
+/// What holds for each row; checked when this header is compiled.
 constexpr bool isSound(const TextureRoleRow& row) {
     const TextureRoleRow& first = *findRoleAt(row.unit);
     return &row == &rowOf(row.role) && isMaterials(row.role) == isMaterials(first.role) &&

@@ -19,7 +19,7 @@ namespace FRANKEN_API franken {
 struct Transform {
     glm::dvec3 translation{0.0};             ///< Metres.
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; ///< Any length; 0 turns nothing.
-    glm::dvec3 scale{1.0};
+    glm::dvec3 scale{1.0};                   ///< By axis; any sign.
     bool operator==(const Transform&) const = default;
 };
 
@@ -28,7 +28,7 @@ glm::dmat4 matrixOf(const Transform& transform);
 
 /// What animations change of a node.
 struct NodeState {
-    Transform local = {};
+    Transform local = {};            ///< From the node to its parent.
     bool visible = true;             ///< KHR_node_visibility: hides the nodes below as well.
     std::vector<float> weights = {}; ///< Of its mesh's morph targets, one for each; empty for a mesh without.
     bool operator==(const NodeState&) const = default;
@@ -36,16 +36,17 @@ struct NodeState {
 
 /// A place in the tree, on which meshes, cameras, lights and joints hang.
 struct Node {
-    std::string name = {};
-    int index = kNone;  ///< In the file's array of nodes.
-    int parent = kNone; ///< Index into Scene::nodes, below the node's own; kNone for a root.
-    NodeState rest = {};
+    std::string name = {}; ///< As in the file; not unique.
+    int index = kNone;     ///< In the file's array of nodes.
+    int parent = kNone;    ///< Index into Scene::nodes, below the node's own; kNone for a root.
+    NodeState rest = {};   ///< What it is where no animation moves it.
     /// A matrix that no Transform says, because it shears: it stands in place of `local` in every pose.
     std::optional<glm::dmat4> matrix = {};
 };
 
 /// Values over time. Outside its keys, the first and the last value hold.
 struct AnimationSampler {
+    /// How values between two keys are found.
     enum class Interpolation {
         Step,        ///< The value of the key before.
         Linear,      ///< Rotations: along the shorter arc (slerp).
@@ -60,6 +61,7 @@ struct AnimationSampler {
 
 /// What a sampler moves.
 struct AnimationChannel {
+    /// What of a node is moved, and by how many numbers.
     enum class Path {
         Translation, ///< 3 numbers.
         Rotation,    ///< 4: x, y, z, w.
@@ -73,10 +75,11 @@ struct AnimationChannel {
     Path path = Path::Translation;
 };
 
+/// An animation of a file: what moves together.
 struct Animation {
-    std::string name = {};
-    int index = kNone; ///< In the file's array of animations.
-    std::vector<AnimationSampler> samplers = {};
+    std::string name = {};                       ///< As in the file; not unique.
+    int index = kNone;                           ///< In the file's array of animations.
+    std::vector<AnimationSampler> samplers = {}; ///< What the channels refer to.
     std::vector<AnimationChannel> channels = {}; ///< No two of them move the same.
     float duration = 0;                          ///< Seconds: the latest key of all channels.
 };

@@ -16,6 +16,7 @@
 /// and all functions may be called on any thread.
 namespace FRANKEN_API franken {
 
+/// What a sky was filtered to.
 struct BakedSky {
     SkyCoefficients coefficients{}; ///< Lighting::sky.
     std::optional<Sun> sun;         ///< Was taken out of the sky; add it to Lighting::suns.
@@ -23,6 +24,7 @@ struct BakedSky {
     ReflectionMaps reflection;      ///< For Renderer::setReflection().
 };
 
+/// What bakeSky() and loadSky() make of a sky.
 struct BakeOptions {
     bool sun = false;     ///< Takes the sun out of the sky (takeSun).
     int skyboxSize = 512; ///< Of a face, texels; 0 to kMaxSkyWidth / 4. 0 leaves the skybox out.
@@ -31,6 +33,7 @@ struct BakeOptions {
     SkyLimits limits = {}; ///< For loadSky().
 };
 
+/// Filters a sky: seconds on a desktop, most of a minute on a Pi. Runs on all cores; cannot fail.
 BakedSky bakeSky(Environment sky, const BakeOptions& options);
 
 /// The file format, version 3: little-endian, IEEE 754 floats, no padding. The version rises whenever the

@@ -26,6 +26,7 @@ struct Primitive;
 /// What a pose can change of vertices, as one array for each attribute; each is empty, or has an element for
 /// each vertex. A primitive says what its members are.
 struct Vertices {
+    /// Each is empty, or has an entry for each vertex.
     std::vector<glm::vec3> positions = {};
     std::vector<glm::vec3> normals = {};
     std::vector<glm::vec4> tangents = {};
@@ -41,7 +42,7 @@ struct Influence {
 
 /// The joints of a skinned mesh.
 struct Skin {
-    std::string name = {};
+    std::string name = {};        ///< As in the file; not unique.
     int index = kNone;            ///< In the file's array of skins.
     std::vector<int> joints = {}; ///< Indices into Scene::nodes; at least one.
     /// From the mesh to each joint, as they were when the skin was bound; as many as `joints`.
@@ -55,6 +56,7 @@ struct Deformation {
     /// nothing; w of a tangent is 0.
     std::vector<Vertices> targets = {};
     std::size_t influencesPerVertex = 0; ///< Any number; 0 without a skin.
+    /// influencesPerVertex of each vertex, one vertex after the other.
     std::vector<Influence> influences = {};
     /// The file has no normals: three vertices for each triangle, and normals that are those of the moved
     /// triangles.

@@ -15,10 +15,11 @@ namespace FRANKEN_API franken {
 /// heights between two vertices are lost. Eight bits are 256 steps; on a mesh with more vertices than texels,
 /// slopes are those between texels.
 struct HeightMap {
-    Image image;
+    Image image;      ///< The heights; one channel is enough.
     float scale = 1;  ///< How far white (1) lies above black (0), in the unit of the positions; any sign.
     float ground = 0; ///< 0-1: vertices of this height do not move.
     int uvSet = 0;    ///< 0 or 1: TEXCOORD_n, v down.
+    /// What lies outside of 0-1, across and down.
     Wrap wrapS = Wrap::Repeat;
     Wrap wrapT = Wrap::Repeat;
 };

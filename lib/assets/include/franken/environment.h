@@ -21,6 +21,7 @@ namespace FRANKEN_API franken {
 
 /// A sky, as a picture. World space has +Y up and is right-handed; -Z is ahead and +X to the right.
 struct Environment {
+    /// Which texel is seen in which direction.
     enum class Layout {
         /// One picture of everything. A direction (x, y, z) of unit length lies at u = 0.5 + atan2(x, -z) /
         /// (2 pi) and v = acos(y) / pi, v = 0 in the top row: straight up is above, -Z in the middle, +X at
@@ -88,7 +89,7 @@ SkyCoefficients skyCoefficients(const Environment& sky);
 /// nothing if no texel is that bright.
 std::optional<Sun> takeSun(Environment& sky);
 
-inline constexpr float kSunContrast = 32;
+inline constexpr float kSunContrast = 32; ///< See takeSun().
 
 /// The faces of a cube map, ready for glTexImage2D. Texels hold sqrt(radiance / range) as RGB times a shared
 /// alpha: radiance = (rgb * a)^2 * range. The root puts more codes where eyes see more.

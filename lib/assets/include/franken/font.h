@@ -20,14 +20,15 @@ namespace FRANKEN_API franken {
 inline constexpr std::size_t kMaxFontBytes = std::size_t{32} << 20;
 
 /// The smallest and the largest size of text, in pixels of an em.
+/// Sizes of TextStyle::pixels.
 inline constexpr float kMinTextPixels = 4, kMaxTextPixels = 256;
 /// The largest width and height of a glyph's bitmap.
 inline constexpr int kMaxGlyphPixels = 500;
 
 /// How much of each pixel a glyph covers, 0 to 255, rows from the top down. Empty where it covers nothing.
 struct GlyphBitmap {
-    int left = 0, top = 0; ///< From the pen on the baseline to the upper left pixel; pixels, y downwards.
-    int width = 0, height = 0;
+    int left = 0, top = 0;     ///< From the pen on the baseline to the upper left pixel; pixels, y downwards.
+    int width = 0, height = 0; ///< Pixels; 0 for a space.
     std::vector<std::uint8_t> coverage; ///< width * height
 };
 

@@ -44,7 +44,7 @@ struct LoadOptions {
     /// image with a good header that cannot be decoded is only found when it is uploaded, then.
     ImageForm images = ImageForm::Pixels;
 
-    LoadProgress progress = {};
+    LoadProgress progress = {}; ///< Called between images and meshes; empty for none.
 
     /// Ends loading with "gltf.cancelled" where it is requested, from any thread; after one image or mesh at
     /// most.

@@ -43,7 +43,7 @@ struct PickOptions {
     /// Where things are in place of where the scene had them when the tree was made, and what worldsOf() says
     /// of that pose: both, or neither.
     const Pose* pose = nullptr;
-    const std::vector<NodeWorld>* nodes = nullptr;
+    const std::vector<NodeWorld>* nodes = nullptr; ///< See `pose`.
 };
 
 /// A scene in a form in which rays find triangles fast: a tree of boxes for each mesh (split at the median of
@@ -71,10 +71,11 @@ public:
     /// What the scene had: whether a tree is that of a scene.
     struct Counts {
         std::size_t triangles = 0; ///< Of all meshes, each counted once.
+        /// How many a scene has.
         std::size_t instances = 0, materials = 0, variants = 0, nodes = 0;
         bool operator==(const Counts&) const = default;
     };
-    const Counts& counts() const;
+    const Counts& counts() const; ///< Those of the scene that the tree was made of.
 
 private:
     struct Data;

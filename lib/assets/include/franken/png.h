@@ -18,6 +18,7 @@ namespace FRANKEN_API franken {
 std::vector<std::uint8_t> encodePng(int width, int height, int channels, std::span<const std::uint8_t> pixels,
                                     int effort = 8);
 
+/// Which channels a file gets; Rgb drops the alpha.
 enum class PngChannels { Rgb, Rgba };
 
 /// Writes an image with 8 bits a channel, with or without alpha. The path holds the old or the complete new

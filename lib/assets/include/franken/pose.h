@@ -24,7 +24,7 @@ namespace FRANKEN_API franken {
 
 /// By node, in the order of Scene::nodes. Plain data: an application may turn a wheel by hand.
 struct Pose {
-    std::vector<NodeState> nodes;
+    std::vector<NodeState> nodes; ///< As Scene::nodes.
     bool operator==(const Pose&) const = default;
 };
 
@@ -65,9 +65,10 @@ void worldsOf(const Scene& scene, const Pose& pose, std::vector<NodeWorld>& worl
 /// The joints of a skin, each from the mesh to where it is: as seen from the first joint, so that floats can
 /// hold it wherever the skin is.
 struct Palette {
-    glm::dvec3 origin{0.0}; ///< Of the first joint, in the world.
-    std::vector<glm::mat4x3> joints = {};
+    glm::dvec3 origin{0.0};               ///< Of the first joint, in the world.
+    std::vector<glm::mat4x3> joints = {}; ///< From the skin's bind pose to the world; as Skin::joints.
 };
+/// Computes the matrices of a skin. Memory of `palette` is used again.
 void paletteOf(const Skin& skin, const std::vector<NodeWorld>& worlds, Palette& palette);
 
 /// An instance, a camera and a light of the scene, moved with their nodes; what hangs on no node stays. A

@@ -26,7 +26,7 @@ using Progress = std::function<void(float)>;
 /// The edge of the sharpest level's squares: 256 gives 0.56 degrees a texel.
 inline constexpr int kReflectionSize = 256;
 inline constexpr int kMinReflectionSize = 256;
-inline constexpr int kMaxReflectionSize = 1024;
+inline constexpr int kMaxReflectionSize = 1024; ///< The largest edge that filterReflection() takes.
 
 /// The sky prefiltered for rising roughness, in kReflectionLevels (pack.h) levels. Each texel is a sum over
 /// all of the sky's texels, without sampling noise. One picture for a 2D texture with linear filter, clamped
@@ -57,6 +57,7 @@ inline constexpr float kAtlasInner = 7.0f / 8.0f;
 ReflectionAtlas filterReflection(const Environment& sky, int size = kReflectionSize,
                                  const Progress& progress = {});
 
+/// The size of reflectionLookup(), texels.
 inline constexpr int kLookupWidth = 128;
 inline constexpr int kLookupHeight = 256;
 
@@ -69,8 +70,8 @@ Image reflectionLookup();
 
 /// Both textures, for Renderer::setReflection().
 struct ReflectionMaps {
-    ReflectionAtlas atlas;
-    Image lookup;
+    ReflectionAtlas atlas; ///< The sky, by roughness: filterReflection().
+    Image lookup;          ///< How a surface reflects it: reflectionLookup().
 };
 
 } // namespace franken

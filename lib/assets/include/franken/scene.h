@@ -36,10 +36,11 @@ namespace FRANKEN_API franken {
 /// An image and how it is sampled. Filters that the file leaves open are the best that GLES2 has.
 struct Texture {
     int image = kNone; ///< Index into Scene::images; kNone only where no material uses the texture.
+    /// What lies outside of 0-1, across and down.
     Wrap wrapS = Wrap::Repeat;
     Wrap wrapT = Wrap::Repeat;
-    Filter magFilter = Filter::Linear; ///< Nearest or Linear only.
-    Filter minFilter = Filter::LinearMipmapLinear;
+    Filter magFilter = Filter::Linear;             ///< Nearest or Linear only.
+    Filter minFilter = Filter::LinearMipmapLinear; ///< With mipmaps, unless it is Nearest or Linear.
 };
 
 /// A material's use of a texture.
@@ -52,20 +53,24 @@ struct TextureRef {
     glm::mat3 transform{1.0f};
     bool transformed = false; ///< Whether `transform` differs from the identity.
 
+    /// There is a texture.
     explicit operator bool() const { return texture != kNone; }
     bool operator==(const TextureRef&) const = default;
 };
 
+/// Whether a surface is solid, has holes, or is seen through.
 enum class AlphaMode { Opaque, Mask, Blend };
 
 /// A material's textures, by role (texture_role.h). A glTF file fills the roles that have a place in it;
 /// those of Metallic and Roughness are for scenes that are not from a file, in place of MetallicRoughness,
 /// and share their coordinates.
 struct MaterialTextures {
-    std::array<TextureRef, kMaterialRoles> refs;
+    std::array<TextureRef, kMaterialRoles> refs; ///< By TextureRole.
 
+    /// The texture in that role.
     TextureRef& operator[](TextureRole role) { return refs[static_cast<std::size_t>(role)]; }
     const TextureRef& operator[](TextureRole role) const { return refs[static_cast<std::size_t>(role)]; }
+    /// Over all roles, in the order of the enumeration.
     auto begin() { return refs.begin(); }
     auto end() { return refs.end(); }
     auto begin() const { return refs.begin(); }
@@ -76,18 +81,18 @@ struct MaterialTextures {
 /// glTF's metallic-roughness material. A texture multiplies the factor of its role. A texture whose image
 /// could not be read is left out, which is what a 1x1 default of its role would give.
 struct Material {
-    std::string name;
-    MaterialFactors factors;
-    MaterialTextures textures;
+    std::string name;          ///< As in the file; not unique.
+    MaterialFactors factors;   ///< Numbers and colours.
+    MaterialTextures textures; ///< By role.
     AlphaMode alphaMode = AlphaMode::Opaque;
-    bool doubleSided = false;
-    bool unlit = false; ///< KHR_materials_unlit: base colour only, no light.
+    bool doubleSided = false; ///< Back faces are drawn, and lit from their side.
+    bool unlit = false;       ///< KHR_materials_unlit: base colour only, no light.
 };
 
 /// One draw's worth of triangles, as one array for each attribute, in one form whatever the file had. Each
 /// array but `indices` is either empty (the attribute is absent) or as long as `positions`.
 struct Primitive {
-    std::vector<glm::vec3> positions;
+    std::vector<glm::vec3> positions; ///< m, in the node's space.
     /// Unit length; never absent after loading (flat where the file has none).
     std::vector<glm::vec3> normals;
     /// Unit xyz; w = +-1, and B = cross(N, T.xyz) * w. Present where the material has a normal texture and
@@ -108,8 +113,9 @@ struct Primitive {
     std::shared_ptr<const Deformation> deformation = {};
 };
 
+/// What instances show: one or more primitives with a material each.
 struct Mesh {
-    std::string name;
+    std::string name;                  ///< As in the file; not unique.
     std::vector<Primitive> primitives; ///< At least one.
 };
 
@@ -129,9 +135,10 @@ struct Instance {
 
 /// Looks along -Z of `world`, with +Y up; the view matrix is the inverse of `world`.
 struct Camera {
+    /// Lines meet far away, or stay parallel.
     enum class Projection { Perspective, Orthographic };
 
-    std::string name;
+    std::string name;      ///< As in the file; not unique.
     std::string node = {}; ///< The name of the node that it hangs on.
     int index = kNone;     ///< In the file's array of cameras.
     Projection projection = Projection::Perspective;
@@ -141,15 +148,16 @@ struct Camera {
     float ymag = 1.0f;        ///< Orthographic: half the height of the view, metres.
     float znear = 0.1f;       ///< Metres; > 0 for a perspective camera, >= 0 for an orthographic one.
     float zfar = 0.0f;        ///< Metres, > znear; 0 for a perspective camera: infinite.
-    glm::dmat4 world{1.0};
-    int nodeIndex = kNone; ///< Index into Scene::nodes; kNone for one that no pose moves.
+    glm::dmat4 world{1.0};    ///< From the camera, which looks along -Z with +Y up, to the world. No scale.
+    int nodeIndex = kNone;    ///< Index into Scene::nodes; kNone for one that no pose moves.
 };
 
 /// KHR_lights_punctual, placed in the world.
 struct Light {
+    /// KHR_lights_punctual's kinds.
     enum class Kind { Directional, Point, Spot };
 
-    std::string name;
+    std::string name; ///< As in the file; not unique.
     Kind kind = Kind::Directional;
     glm::vec3 color{1.0f};            ///< Linear RGB, 0..1.
     float intensity = 1.0f;           ///< Lux (directional) or candela (point, spot); >= 0.
@@ -164,8 +172,8 @@ struct Light {
 
 /// Everything that one file draws.
 struct Scene {
-    std::vector<Image> images; ///< One white pixel for each that no material uses.
-    std::vector<Texture> textures;
+    std::vector<Image> images;       ///< One white pixel for each that no material uses.
+    std::vector<Texture> textures;   ///< What materials refer to.
     std::vector<Material> materials; ///< At least one where there is a mesh: primitives without get a
                                      ///< default, and one stands in for each that the scene does not use.
     std::vector<Mesh> meshes;        ///< Only those that are drawn. A node with a skin or a morph has a mesh

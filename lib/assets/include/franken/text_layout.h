@@ -24,20 +24,21 @@ struct TextStyle {
 
 /// A character, and where its glyph stands.
 struct PlacedGlyph {
-    char32_t code = 0;
-    std::uint16_t glyph = 0;
-    float x = 0, y = 0; ///< Of the pen on the baseline, whole pixels from the block's upper left corner.
+    char32_t code = 0;       ///< As the text has it.
+    std::uint16_t glyph = 0; ///< In the font; 0 for the box of what it lacks.
+    float x = 0, y = 0;      ///< Of the pen on the baseline, whole pixels from the block's upper left corner.
 };
 
 /// Lines of glyphs. Spaces are not among them.
 struct TextLayout {
+    /// A line of the block.
     struct Line {
         std::size_t first = 0, end = 0; ///< Among the glyphs.
         float width = 0;                ///< Without spaces at its end.
     };
-    std::vector<PlacedGlyph> glyphs;
-    std::vector<Line> lines;
-    float width = 0, height = 0; ///< Of the block; pixels.
+    std::vector<PlacedGlyph> glyphs; ///< From left to right, line by line.
+    std::vector<Line> lines;         ///< From the top.
+    float width = 0, height = 0;     ///< Of the block; pixels.
 };
 
 /// Lays out UTF-8, with kerning; bytes that are none count as U+FFFD. Lines end at '\n', and where a width is

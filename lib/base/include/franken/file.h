@@ -15,12 +15,15 @@ namespace FRANKEN_API franken {
 /// A file descriptor, closed by the destructor; false where open() failed.
 class Descriptor {
 public:
+    /// Takes over a descriptor; -1 for none.
     explicit Descriptor(int number) : m_number(number) {}
     ~Descriptor();
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
 
+    /// There is one.
     explicit operator bool() const { return m_number >= 0; }
+    /// -1 for none; stays owned.
     int number() const { return m_number; }
 
 private:

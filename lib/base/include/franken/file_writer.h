@@ -26,6 +26,7 @@ public:
     /// all, which is a hundred times as fast.
     enum class Sync : std::uint8_t { Now, Later };
 
+    /// Begins a new file beside the path; the old one stays until commit(). Fails with "file.write".
     static Result<FileWriter> open(const std::filesystem::path& path, Sync sync = Sync::Now);
 
     FileWriter(FileWriter&&) noexcept;
@@ -33,7 +34,7 @@ public:
     /// Without a commit() before, the old file stays.
     ~FileWriter();
 
-    Result<void> write(std::string_view bytes);
+    Result<void> write(std::string_view bytes); ///< Appends. Fails with "file.write".
 
     /// Syncs the file and renames it to its path. Called once, at the end.
     Result<void> commit();
@@ -48,6 +49,7 @@ private:
 /// Writes a whole file at once.
 Result<void> writeFile(const std::filesystem::path& path, std::string_view bytes,
                        FileWriter::Sync sync = FileWriter::Sync::Now);
+/// The same for bytes.
 Result<void> writeFile(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 
 /// Keeps an output from overwriting its own inputs. Fails with "file.overwrite" where `output` is one of the

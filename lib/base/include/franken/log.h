@@ -8,6 +8,7 @@
 
 namespace FRANKEN_API franken {
 
+/// How much a message matters.
 enum class LogLevel { Info, Warning, Error };
 
 /// Receives messages, in the caller's thread and before the call returns. The library itself prints nothing:

@@ -33,11 +33,15 @@ inline std::string toString(const Error& error) {
 template<typename T>
 class [[nodiscard]] Result {
 public:
+    /// What std::expected calls T.
     using value_type = T;
 
+    /// Success.
     Result(T value) : m_state(std::in_place_index<0>, std::move(value)) {}
+    /// Failure.
     Result(Error error) : m_state(std::in_place_index<1>, std::move(error)) {}
 
+    /// Whether there is a value, and no error.
     bool has_value() const { return m_state.index() == 0; }
     explicit operator bool() const { return has_value(); }
 
@@ -94,9 +98,12 @@ template<>
 class [[nodiscard]] Result<void> {
 public:
     Result() = default;
+    /// Failure.
     Result(Error error) : m_error(std::move(error)), m_failed(true) {}
+    /// Whether it succeeded.
     bool has_value() const { return !m_failed; }
     explicit operator bool() const { return has_value(); }
+    /// The error; calling it where has_value() is true is a bug.
     const Error& error() const { return assert(m_failed), m_error; }
 
     /// What `next` returns, a Result; or this error.

@@ -18,6 +18,7 @@ enum class Filter {
     LinearMipmapLinear,
 };
 
+/// Of a minifying filter: whether it reads smaller levels.
 inline bool usesMipmaps(Filter filter) { return filter != Filter::Nearest && filter != Filter::Linear; }
 
 } // namespace franken

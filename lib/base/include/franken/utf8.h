@@ -8,8 +8,9 @@
 
 namespace FRANKEN_API franken {
 
+/// What decodeUtf8() read.
 struct CodePoint {
-    char32_t code = 0;
+    char32_t code = 0;     ///< 0 where `bytes` is 0.
     std::size_t bytes = 0; ///< 0 where the text does not begin with valid UTF-8.
 };
 

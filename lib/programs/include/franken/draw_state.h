@@ -17,11 +17,14 @@ namespace FRANKEN_API franken {
 /// each attribute has one format, the depth test is on, all channels are written), or belongs to the target
 /// (its format and samples).
 struct DrawState {
+    /// What a texture shows outside of 0-1, across and down.
     struct Wraps {
+        /// See Wraps.
         Wrap s = Wrap::Repeat, t = Wrap::Repeat;
         friend bool operator==(const Wraps&, const Wraps&) = default;
     };
-    static constexpr Wraps kClamped = {Wrap::ClampToEdge, Wrap::ClampToEdge};
+    static constexpr Wraps kClamped = {Wrap::ClampToEdge, Wrap::ClampToEdge}; ///< Of skies and lookups.
+    /// By sampler unit.
     using AllWraps = std::array<Wraps, kTextureUnits>;
 
     /// The wraps of texture_role.h: textures repeat, skies are clamped.
@@ -37,7 +40,7 @@ struct DrawState {
 /// A program, and the state in which it draws.
 struct ProgramUse {
     Permutation permutation; ///< Canonical.
-    DrawState state;
+    DrawState state;         ///< How it draws.
     friend bool operator==(const ProgramUse&, const ProgramUse&) = default;
 };
 

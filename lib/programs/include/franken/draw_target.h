@@ -12,6 +12,7 @@ namespace FRANKEN_API franken {
 
 /// A rectangle of a framebuffer, in its pixels, from its lower left corner as GL counts them.
 struct TargetArea {
+    /// Pixels.
     int x = 0, y = 0;
     int width = 0, height = 0;
 };

@@ -54,6 +54,7 @@ using GetProcAddress = std::function<void*(const char* name)>;
 /// contexts of the driver from which it was loaded; the context must be current at each call. It is plain
 /// data (about 1 KiB): copies and pointers are equally good.
 struct Gl {
+/// The member for one function; defined here alone.
 #define FRANKEN_GL_MEMBER(name) decltype(&::gl##name) name = nullptr; // NOLINT(bugprone-macro-parentheses)
     FRANKEN_GL_FUNCTIONS(FRANKEN_GL_MEMBER)
 #undef FRANKEN_GL_MEMBER

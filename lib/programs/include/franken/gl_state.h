@@ -47,6 +47,7 @@ public:
     /// Sets all state that is the same for all draws of the library, unless it is known to be set.
     void setBaseline();
 
+    /// Sets it, unless it is known to be set; so do all functions below.
     void setClearColor(const std::array<float, 4>& color);
     void setScissorTest(bool on) { setCapability(m_scissorTest, GL_SCISSOR_TEST, on); }
     void setBlending(bool on) { setCapability(m_blending, GL_BLEND, on); }
@@ -57,7 +58,7 @@ public:
     void setFrontFace(GLenum winding);
     void setCulledFace(GLenum face);
 
-    void useProgram(GLuint program);
+    void useProgram(GLuint program); ///< Program 0 is none.
     /// unit: 0 to 7. target: GL_TEXTURE_2D or GL_TEXTURE_CUBE_MAP.
     void bindTexture(unsigned unit, GLenum target, GLuint texture);
     /// To unit 0, which is active then: glTexSubImage2D() writes to it.
@@ -72,12 +73,13 @@ public:
 
     /// Where an array lies in the buffer that bindVertices() bound.
     struct Pointer {
-        GLint size;
-        GLenum type; ///< Types other than GL_FLOAT are normalised.
-        GLsizei stride;
-        int offset; ///< Bytes.
+        GLint size;     ///< Numbers of a vertex, 1-4.
+        GLenum type;    ///< Types other than GL_FLOAT are normalised.
+        GLsizei stride; ///< Bytes from a vertex to the next.
+        int offset;     ///< Bytes.
         bool operator==(const Pointer&) const = default;
     };
+    /// glVertexAttribPointer(), of the buffer that is bound.
     void setPointer(GLuint location, const Pointer& pointer);
 
 private:

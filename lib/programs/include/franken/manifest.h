@@ -35,6 +35,7 @@ namespace FRANKEN_API franken {
 /// Needs no GL; any thread.
 inline constexpr std::size_t kMaxManifestBytes = std::size_t{1} << 20;
 
+/// A manifest of these uses, whole.
 std::string toManifest(std::span<const ProgramUse> uses, const SnippetSet& snippets = SnippetSet::builtIn());
 
 /// Returns all programs or fails with "manifest.schema" (another version's), "manifest.damaged" (cut or

@@ -26,6 +26,7 @@ struct ProgramCounters {
 /// it is in use and is not evicted. The last holder deletes it, in the thread of the context.
 using ProgramHandle = std::shared_ptr<ShaderProgram>;
 
+/// How a ProgramCache is made.
 struct ProgramCacheOptions {
     /// How many programs are kept, 1 and up. Above it, programs that nobody holds are evicted, the least
     /// recently looked up first. Where all are held, the cache grows and logs it once.
@@ -78,7 +79,7 @@ public:
     /// Composes from other snippets from now on (at first: those that the library was built with), for
     /// snippet authors. The cache is empty afterwards, failures forgotten; programs that others hold stay.
     void setSnippets(const SnippetSet& snippets);
-    const SnippetSet& snippets() const;
+    const SnippetSet& snippets() const; ///< What programs are composed from now.
 
     /// Call this, and nothing else, when the context is lost: all GL names are gone, those of the programs
     /// that others hold included. Makes no GL call. The cache is empty afterwards, failures forgotten.
@@ -87,8 +88,8 @@ public:
     /// See ProgramCacheOptions; for the next context, after lost().
     void setParallelCompile(bool on);
 
-    std::size_t size() const; ///< Programs that work or are being compiled.
-    const ProgramCounters& counters() const;
+    std::size_t size() const;                ///< Programs that work or are being compiled.
+    const ProgramCounters& counters() const; ///< Since it was made.
 
 private:
     struct State;

@@ -21,7 +21,7 @@ class GlState;
 /// A program that failed, and the program that replaces it. The same driver fails in the same way elsewhere;
 /// `frankenshader dump` writes both programs from their names.
 struct Fallback {
-    Permutation failed;
+    Permutation failed;              ///< What was asked for.
     std::optional<Permutation> next; ///< Nothing after the end of the chain.
     Error error; ///< "program.compile", "program.link", "program.draw" or "effect.missing".
 };
@@ -30,11 +30,12 @@ struct Fallback {
 /// dropped.
 using WarmUpProgress = std::function<void(std::size_t done, std::size_t total)>;
 
+/// What warmUp() did.
 struct WarmUpReport {
     std::size_t programs = 0; ///< Programs that are resident now, the ends of fallback chains included.
     std::size_t draws = 0;    ///< Combinations of program and state that were drawn.
     std::size_t failed = 0;   ///< Programs that were replaced by simpler ones.
-    double milliseconds = 0;
+    double milliseconds = 0;  ///< By the wall clock.
 };
 
 /// Provides programs that are known to draw; stands between a renderer and ProgramCache.
@@ -60,6 +61,7 @@ struct WarmUpReport {
 /// GlState for the list), framebuffer and viewport included.
 class ProgramManager {
 public:
+    /// For setBudget(): as many as are asked for.
     static constexpr unsigned kUnlimited = std::numeric_limits<unsigned>::max();
 
     /// The table must outlive the object. Each fallback is logged once.
@@ -69,11 +71,12 @@ public:
 
     /// How many programs get() may compile from one resetBudget() to the next.
     void setBudget(unsigned programsPerFrame);
-    void resetBudget();
+    void resetBudget(); ///< To be called at the beginning of each frame.
 
+    /// What get() returns.
     struct Supplied {
-        ProgramHandle program;
-        bool standIn = false; ///< Ask again in the next frame.
+        ProgramHandle program; ///< Never null.
+        bool standIn = false;  ///< Ask again in the next frame.
     };
 
     /// The program with which to draw now. Programs that have to be validated draw into the target (its
@@ -96,13 +99,15 @@ public:
     /// For when others changed GL's state.
     void invalidateState();
 
+    /// Programs that get() had to compile since the last call, for a manifest.
     std::vector<ProgramUse> takeMisses();
+    /// All since the manager was made, or since setSnippets().
     const std::vector<Fallback>& fallbacks() const;
-    const ProgramCounters& counters() const;
+    const ProgramCounters& counters() const; ///< Those of the cache.
 
     /// See ProgramCache. Forgets the fallbacks, too.
     void setSnippets(const SnippetSet& snippets);
-    const SnippetSet& snippets() const;
+    const SnippetSet& snippets() const; ///< What programs are composed from now.
 
     /// Call it when the context is lost: forgets all GL objects, and failures, but keeps counters, misses and
     /// fallbacks. The table must be replaced by one whose functions delete nothing.

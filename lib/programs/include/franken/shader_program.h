@@ -23,7 +23,9 @@ public:
     ShaderProgram& operator=(const ShaderProgram&) = delete;
     ~ShaderProgram();
 
+    /// GL's name of it; stays owned.
     GLuint name() const { return m_name; }
+    /// What it reads.
     const Interface& interface() const { return m_interface; }
 
     /// Bit n: the program reads the attribute at location n.
@@ -32,7 +34,7 @@ public:
     /// Uploads the blocks that the program has not seen; a block without values is skipped. The program must
     /// be in use.
     void feed(const BlockViews& blocks);
-    void feed(Block block, const BlockView& view);
+    void feed(Block block, const BlockView& view); ///< Uploads one block.
 
     /// After a lost context: forgets the GL program without deleting it. It cannot be used any more.
     void lost() { m_name = 0; }

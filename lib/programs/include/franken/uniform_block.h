@@ -15,12 +15,13 @@ namespace FRANKEN_API franken {
 /// thread.
 std::uint64_t newSerials(std::uint64_t count);
 
+/// One serial.
 inline std::uint64_t newSerial() { return newSerials(1); }
 
 /// The values of one block of uniforms, and the serial that identifies them.
 struct BlockView {
     const float* values = nullptr; ///< Laid out as fieldOffset() says.
-    std::uint64_t serial = 0;
+    std::uint64_t serial = 0;      ///< Tells these values from all others: newSerial().
 };
 
 /// The uniforms of one draw: a view of each Block, in the order of the enumeration.
@@ -35,6 +36,7 @@ class UniformBlock {
                   "blocks are plain floats");
 
 public:
+    /// The values, for reading.
     const Values& values() const { return m_values; }
 
     /// The values, for writing. Write before the next draw: later writes through a kept reference are not
@@ -50,6 +52,7 @@ public:
             edit() = values;
     }
 
+    /// For ShaderProgram::feed().
     BlockView view() const { return {reinterpret_cast<const float*>(&m_values), m_serial}; }
 
 private:

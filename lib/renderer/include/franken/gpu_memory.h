@@ -32,6 +32,7 @@ public:
     }
     ~MemoryLease();
 
+    /// What is held.
     std::size_t bytes() const { return m_bytes; }
 
 private:
@@ -54,6 +55,7 @@ private:
 /// it on the thread of its context.
 class GpuMemory {
 public:
+    /// For setBudget(): what the driver has.
     static constexpr std::size_t kUnlimited = std::numeric_limits<std::size_t>::max();
 
     /// Evicts something that can be loaded again; false where there is nothing left to evict.
@@ -61,11 +63,15 @@ public:
 
     /// Frees nothing now; where the new budget is already exceeded, the next reserve() evicts.
     void setBudget(std::size_t bytes) { m_budget = bytes; }
+    /// Bytes.
     std::size_t budget() const { return m_budget; }
 
+    /// Who is asked to make room; none at first.
     void setEvict(Evict evict) { m_evict = std::move(evict); }
 
+    /// Bytes in use for that.
     std::size_t used(MemoryUse use) const { return (*m_used)[static_cast<std::size_t>(use)]; }
+    /// Bytes in use for everything.
     std::size_t used() const { return (*m_used)[0] + (*m_used)[1] + (*m_used)[2]; }
 
     /// How often something was evicted.

@@ -20,7 +20,7 @@ namespace FRANKEN_API franken {
 struct Lighting {
     std::vector<Sun> suns{};                     ///< See fittedLighting().
     std::vector<PunctualLight> punctualLights{}; ///< See fittedLighting().
-    AmbientLight ambient{};
+    AmbientLight ambient{};                      ///< From all sides: none, a colour, or a sky.
     /// From the sky to the world: turns the skybox, `ambient.sky`, the reflection, and suns that are the
     /// sky's own (Sun::ofSky). About up: glm::angleAxis(angle, glm::dvec3(0, 1, 0)). Any length but 0. Costs
     /// nothing in a shader: the world is handed to programs as the sky sees it. A frame after a change

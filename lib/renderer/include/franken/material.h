@@ -27,7 +27,7 @@ struct Look {
     Dither dither = Dither::None;
     View view = View::Shaded;
     Target target = Target::Generic;
-    bool facingWorkaround = false;
+    bool facingWorkaround = false; ///< For drivers whose gl_FrontFacing lies (Capabilities).
     /// In the programs of all surfaces that it changes: SnippetSet::chooseEffect() of the renderer's
     /// snippets.
     EffectChoice effect = {};
@@ -37,19 +37,19 @@ struct Look {
 
 /// The optional attributes of a primitive, and other properties of its vertices that choose programs.
 struct VertexContents {
-    bool tangents = false;
+    bool tangents = false;    ///< TANGENT
     std::array<bool, 2> uv{}; ///< TEXCOORD_0, TEXCOORD_1
-    bool colors = false;
-    bool fine = false; ///< Normals turn by no more than kFineNormalTurn (tessellation.h).
+    bool colors = false;      ///< COLOR_0
+    bool fine = false;        ///< Normals turn by no more than kFineNormalTurn (tessellation.h).
     friend bool operator==(const VertexContents&, const VertexContents&) = default;
 };
 
-VertexContents contentsOf(const Primitive& primitive);
+VertexContents contentsOf(const Primitive& primitive); ///< What a primitive of a scene has.
 
 /// A material as programs see it, on vertices with certain contents.
 struct MaterialPlan {
     Permutation permutation; ///< The material's choices alone; see permutationOf().
-    MaterialFactors factors;
+    MaterialFactors factors; ///< Numbers and colours.
     UvTransforms uvTransforms;
     std::array<int, kUsedTextureUnits> textures; ///< Scene texture of each sampler unit, or kNone.
     std::array<int, 2> uvSets{};                 ///< Which TEXCOORD_n feeds each of the two streams.

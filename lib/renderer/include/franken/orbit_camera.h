@@ -20,11 +20,13 @@ struct Orbit {
 
 /// Which orbits are reached; each least value must not be above the greatest one.
 struct OrbitLimits {
+    /// Radians.
     double minYaw = -std::numeric_limits<double>::infinity();
     double maxYaw = std::numeric_limits<double>::infinity();
     double minPitch = -std::numbers::pi / 2, maxPitch = std::numbers::pi / 2; ///< At most these.
-    double minDistance = 1e-6, maxDistance = 1e9;                             ///< m, > 0.
-    Box targets = {};                                                         ///< Empty: all of space.
+    /// m, > 0.
+    double minDistance = 1e-6, maxDistance = 1e9; ///< m, > 0.
+    Box targets = {};                             ///< Empty: all of space.
 };
 
 /// A camera that goes round a point, as fingers and a mouse drag it: what they ask for is reached by and by,
@@ -44,6 +46,7 @@ public:
     /// brings the planes in.
     OrbitCamera(const Camera& camera, const Box& bounds);
 
+    /// Holds from the next move on; limits must not be crossed.
     Result<void> setLimits(const OrbitLimits& limits);
     /// The time constant, in seconds; 0 or more. 0 at first: all is reached at once.
     Result<void> setDamping(double seconds);

@@ -22,6 +22,7 @@ using PictureSource = std::function<Result<Image>()>;
 
 /// A rectangle; x to the right and y down from the upper left corner.
 struct OverlayRect {
+    /// Pixels, or shares of a picture: the member says which.
     float x = 0, y = 0;
     float width = 0, height = 0;
 };
@@ -29,7 +30,7 @@ struct OverlayRect {
 /// One rectangle. Consecutive rectangles of the same picture are one draw call: a text is a list of
 /// rectangles that show parts of one picture of all letters.
 struct OverlayQuad {
-    PictureId picture{};
+    PictureId picture{};          ///< Of addPicture() or addApplicationTexture().
     OverlayRect place;            ///< Position on the target's area, as its viewer sees it; pixels.
     OverlayRect part{0, 0, 1, 1}; ///< Part of the picture, 0-1.
     /// Multiplies the picture, alpha included; 0-1. Where the shader encodes, the picture's 8-bit values are

@@ -16,24 +16,28 @@ namespace FRANKEN_API franken {
 /// A text of an OverlayText; no other handle of the process has its value.
 enum class TextId : unsigned {};
 
+/// A text, and where it stands.
 struct Text {
     Font font;
-    std::string utf8 = {};
-    TextStyle style = {};
-    float x = 0, y = 0; ///< Of the block's upper left corner on the target's area, as its viewer sees it;
-                        ///< pixels, rounded to whole ones.
+    std::string utf8 = {}; ///< Lines end at '\n'.
+    TextStyle style = {};  ///< Size, width and alignment.
+    /// Of the block's upper left corner on the target's area, as its viewer sees it; pixels, rounded to whole
+    /// ones.
+    float x = 0, y = 0;
     /// Of the glyphs, alpha included; 0-1. Blended as overlay pictures are: where the shader encodes, the
     /// colour is the encoded one, and a pixel that a glyph half covers is the mean of the encoded values; a
     /// target that encodes by itself (Output::Linear) has the decoded colour, and blends in linear light.
     Float4 color{1, 1, 1, 1};
-    bool visible = true;
+    bool visible = true; ///< Hidden texts cost nothing.
 };
 
 /// Pixels.
 struct TextSize {
+    /// Of a block.
     float width = 0, height = 0;
 };
 
+/// What an OverlayText may take.
 struct OverlayTextOptions {
     /// Of the GPU, for the pictures of glyphs, of 1 MiB each; at least one. A quarter more is kept on the
     /// CPU.

@@ -35,8 +35,8 @@ enum class ModelId : unsigned {};
 
 /// Where a ray first meets a shown model; point and distance are in the renderer's world.
 struct PlaceHit : Hit {
-    ModelId model{};
-    PlaceId place{};
+    ModelId model{}; ///< Which model is there.
+    PlaceId place{}; ///< Which of its places.
 };
 
 /// Load again what the GPU lost or evicted: a source reads its file anew, so that no pixels stay in memory
@@ -225,7 +225,7 @@ public:
     /// snippets in a separate ProgramCache first. An effect that a driver refuses, or that draws nothing, is
     /// left out, and the log says so: see fallbacks().
     void setSnippets(const SnippetSet& snippets);
-    const SnippetSet& snippets() const;
+    const SnippetSet& snippets() const; ///< What programs are composed from now.
 
     /// The values of the effect, in the order in which its text declares them; those that are left out are 0,
     /// as all are at first. Uploads them with the next draw of each program, if they changed. Fails with
@@ -326,8 +326,8 @@ public:
     /// Bytes in use and their budget; an application reserves its own targets in it.
     GpuMemory& memory();
 
-    FrameCounters frameCounters() const;
-    const ProgramCounters& programCounters() const;
+    FrameCounters frameCounters() const;            ///< Of the last draw().
+    const ProgramCounters& programCounters() const; ///< Since the renderer was made.
 
 private:
     struct State;

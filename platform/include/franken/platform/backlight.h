@@ -17,6 +17,7 @@ public:
     static Result<Backlight> find(const std::string& name = {},
                                   const std::string& folder = "/sys/class/backlight");
 
+    /// The kernel's name of the device.
     const std::string& name() const { return m_name; }
     /// 0 is off or darkest, 1 brightest. Fails with `backlight.range` outside 0-1, and with `backlight.write`
     /// (without write permission; a udev rule can give it to the group video).

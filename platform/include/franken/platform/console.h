@@ -39,12 +39,13 @@ public:
     /// Polls as readable when dispatch() has something to do.
     int descriptor() const;
 
+    /// What dispatch() found.
     enum class Event {
         None,
         Leaving, ///< Another console is asked for: pause the surface; when it is Paused, call left().
         Returned ///< This console is shown again: resume the surface.
     };
-    Event dispatch();
+    Event dispatch(); ///< Call it when the descriptor is readable.
     /// Tells the kernel that the screen is free and that it may switch.
     Result<void> left();
 

@@ -30,6 +30,7 @@ struct GpioPin {
     std::string chip = {};
 };
 
+/// The resistor that the Pi switches to a line.
 enum class Pull {
     None, ///< Off: there is a resistor outside.
     Up,   ///< For a button to ground.
@@ -37,48 +38,55 @@ enum class Pull {
     AsIs  ///< As the device tree or another program left it.
 };
 
+/// A button, and how it is wired.
 struct ButtonOptions {
     std::string name; ///< Name of its events.
-    GpioPin pin;
+    GpioPin pin;      ///< Where it is wired to.
     Pull pull = Pull::Up;
-    bool activeLow = true; ///< Pressed means 0 V.
-    PressOptions press = {};
+    bool activeLow = true;   ///< Pressed means 0 V.
+    PressOptions press = {}; ///< What counts as a press.
 };
 
+/// A press of a button.
 struct ButtonEvent {
-    std::string name;
+    std::string name; ///< ButtonOptions::name.
     Press press;
     /// By the kernel's clock for edges. Comparable only with other times of this kind.
     std::chrono::nanoseconds time;
 };
 
+/// A rotary encoder, and how it is wired.
 struct EncoderOptions {
-    std::string name;
+    std::string name; ///< Name of its events.
+    /// Its two contacts.
     GpioPin a, b;
     Pull pull = Pull::Up;
-    bool activeLow = true;
+    bool activeLow = true;      ///< A closed contact means 0 V.
     int transitionsPerStep = 4; ///< 4 where it rests with both contacts open, 2 or 1 for others.
 };
 
+/// A turn of an encoder.
 struct EncoderEvent {
-    std::string name;
-    int steps; ///< Positive where a leads b: clockwise, if it is wired as most are.
+    std::string name; ///< EncoderOptions::name.
+    int steps;        ///< Positive where a leads b: clockwise, if it is wired as most are.
 };
 
 /// All buttons and encoders of a program.
 class GpioInputs {
 public:
+    /// Never fails: lines that are missing are requested again.
     GpioInputs(std::vector<ButtonOptions> buttons, std::vector<EncoderOptions> encoders, Log log);
     ~GpioInputs();
 
+    /// What happened since the last call.
     struct Events {
-        std::vector<ButtonEvent> buttons;
-        std::vector<EncoderEvent> encoders;
+        std::vector<ButtonEvent> buttons;   ///< In their order.
+        std::vector<EncoderEvent> encoders; ///< In their order.
     };
 
     /// Polls as readable when dispatch() has something to do.
     int descriptor() const;
-    Events dispatch();
+    Events dispatch(); ///< Call it when the descriptor is readable, and when it has a timeout. Never waits.
 
     /// Whether all lines are there.
     bool complete() const;

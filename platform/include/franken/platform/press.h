@@ -12,6 +12,7 @@
 namespace franken {
 namespace FRANKEN_API platform {
 
+/// What a button was asked for.
 enum class Press {
     Down,  ///< It was pressed. Comes before one of the others.
     Short, ///< It was released again soon.
@@ -22,23 +23,26 @@ enum class Press {
 /// "down", "short", "long" or "double".
 const char* toString(Press press);
 
+/// What counts as which press.
 struct PressOptions {
     /// A contact that has not changed for this long has settled; shorter changes are bounce.
     std::chrono::milliseconds settle{10};
-    std::chrono::milliseconds longPress{800};
+    std::chrono::milliseconds longPress{800}; ///< How long a button is held for a long press.
     /// Two presses with less than this between them are a double press. A Short press is reported only after
     /// this time; 0: no double presses, and no delay.
     std::chrono::milliseconds doublePress{0};
 };
 
+/// A change of a contact.
 struct ContactEdge {
-    bool active;
-    std::chrono::nanoseconds time;
+    bool active;                   ///< Closed now.
+    std::chrono::nanoseconds time; ///< By any clock that does not jump.
 };
 
 /// Filters the edges of a bouncing contact: only lasting ones remain.
 class Debouncer {
 public:
+    /// Begins with the contact as it is.
     Debouncer(bool active, std::chrono::nanoseconds settle) : m_active(active), m_settle(settle) {}
 
     /// Takes a raw edge. Returns the change before it, if that has lasted.
@@ -61,16 +65,20 @@ private:
 /// Turns the lasting edges of a button into presses.
 class PressRecogniser {
 public:
+    /// Begins with the button up.
     explicit PressRecogniser(const PressOptions& options) : m_options(options) {}
 
+    /// A press that was recognised.
     struct Event {
         Press press;
-        std::chrono::nanoseconds time;
+        std::chrono::nanoseconds time; ///< When it was decided.
     };
 
+    /// Takes a lasting edge; appends what it decides.
     void edge(const ContactEdge& edge, std::vector<Event>& events);
     /// How long after the last edge expired() has to be called, unless another edge comes.
     std::optional<std::chrono::nanoseconds> patience() const;
+    /// Call it after patience(); appends what the silence decides.
     void expired(std::vector<Event>& events);
 
 private:
@@ -87,6 +95,7 @@ private:
 /// back; a jump to a state that is no neighbour of the last one (lost edges) counts as no transition.
 class EncoderDecoder {
 public:
+    /// Begins with the contacts as they are. transitionsPerStep: 4, 2 or 1.
     EncoderDecoder(bool a, bool b, int transitionsPerStep)
         : m_code(codeOf(a, b)), m_perStep(transitionsPerStep), m_a(a), m_b(b) {}
     /// The steps that this edge completes: -1, 0 or 1.

@@ -11,6 +11,7 @@
 namespace franken {
 namespace FRANKEN_API platform {
 
+/// A size in pixels.
 struct Size {
     int width = 0;  ///< Pixels.
     int height = 0; ///< Pixels.
@@ -30,6 +31,7 @@ std::optional<Rotation> rotationOfOrientation(std::string_view orientation);
 /// ThreeQuarters.
 Size turned(Size size, Rotation rotation);
 
+/// A place on a screen, in shares of it.
 struct Point {
     double x = 0; ///< 0 at the left, 1 at the right.
     double y = 0; ///< 0 at the top, 1 at the bottom.

@@ -37,8 +37,11 @@ enum class RgbRange {
 /// A screen's timing, as `cvt` and `edid-decode` print it; for a screen without EDID.
 struct Modeline {
     int clock = 0; ///< Pixel clock in kHz.
+    /// Pixels, as the kernel's drm_mode_modeinfo has them.
     int width = 0, hsyncStart = 0, hsyncEnd = 0, htotal = 0;
+    /// Lines, likewise.
     int height = 0, vsyncStart = 0, vsyncEnd = 0, vtotal = 0;
+    /// Polarity of the synchronisation pulses.
     bool positiveHsync = false, positiveVsync = false;
 };
 
@@ -57,10 +60,12 @@ Result<ModeRequest> parseModeRequest(std::string_view text);
 
 /// Pixels that stay black at the edges, for a television set that cuts them off.
 struct Margins {
+    /// Pixels.
     int left = 0, right = 0, top = 0, bottom = 0;
     bool operator==(const Margins&) const = default;
 };
 
+/// Which screen is opened, and how.
 struct ScreenOptions {
     /// The kernel's name of the connector ("HDMI-A-1", "DSI-1"). Empty: the first connected one; built-in
     /// panels (DSI, DPI, LVDS, eDP) come before plugs (HDMI, DP, DVI, VGA), these before all others;
@@ -81,9 +86,9 @@ struct ScreenOptions {
     int maxExtent = 0; ///< Largest width and height of the buffer; 0: what GL_MAX_TEXTURE_SIZE says.
     int maxPixels = 2560 * 1440; ///< Most pixels of the buffer: 4K is more than a Pi 4 fills.
 
-    PixelFormat format = PixelFormat::Rgb8;
-    RgbRange range = RgbRange::Full; ///< Applied where the connector has `Broadcast RGB`.
-    Margins margins = {};            ///< Applied where the connector has them.
+    PixelFormat format = PixelFormat::Rgb8; ///< Of the buffers that are shown.
+    RgbRange range = RgbRange::Full;        ///< Applied where the connector has `Broadcast RGB`.
+    Margins margins = {};                   ///< Applied where the connector has them.
 
     /// Empty: the kernel's `panel orientation`, turned further by `rotate=` on the kernel's command line
     /// (video=DSI-1:…,rotate=90); None where the kernel reports neither.
@@ -105,6 +110,7 @@ struct ScreenOptions {
     std::string devices = "/dev/dri"; ///< Where the nodes are.
 };
 
+/// Whether a connector has a screen.
 enum class Connection { Connected, Disconnected, Unknown };
 
 /// A connector of a node.

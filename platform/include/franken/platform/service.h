@@ -24,6 +24,7 @@ class ServiceManager {
 public:
     ServiceManager();
 
+    /// There is one: systemd started the process.
     bool present() const { return !m_socket.empty(); }
 
     /// Half of WatchdogSec=: call alive() at least that often, or the manager ends the process. Nothing where

@@ -68,8 +68,8 @@ struct CompletedFrame {
 
 /// What dispatch() found.
 struct SurfaceEvents {
-    std::optional<CompletedFrame> completed;
-    bool stateChanged = false;
+    std::optional<CompletedFrame> completed; ///< The last frame that reached the screen, if one did.
+    bool stateChanged = false;               ///< state() may say another thing than before.
     /// Size, refresh rate, rotation, format, encoding or samples have changed.
     bool layoutChanged = false;
     /// All GL objects are lost, and the functions' addresses may have changed: load the functions and make
@@ -115,6 +115,7 @@ public:
     Surface& operator=(const Surface&) = delete;
     virtual ~Surface() = default;
 
+    /// What draws.
     Backend backend() const { return m_backend; }
 
     /// The driver's GL_RENDERER and GL_VERSION: "softpipe, OpenGL ES 3.1 Mesa 22.3.6".
@@ -134,6 +135,7 @@ public:
     /// The target's pixel format.
     PixelFormat format() const { return m_format; }
 
+    /// Whether frames are shown.
     SurfaceState state() const { return m_state; }
 
     /// A description of the state, for people: the screen, its mode and format; the reason for waiting; or
@@ -198,6 +200,7 @@ public:
     virtual void resetScreen() {}
 
 protected:
+    /// For backends.
     Surface(Backend backend, Size size) : m_backend(backend), m_size(size) {}
 
     /// The backend's part of makeCurrent(), called with no other surface current in the thread.
@@ -218,6 +221,7 @@ protected:
     /// makeCurrent(), then fills in driver(): the last step of opening a surface.
     Result<void> makeReady();
 
+    /// What the functions of these names return; a backend keeps them.
     Backend m_backend;
     Size m_size;
     unsigned m_framebuffer = 0;
@@ -236,6 +240,7 @@ private:
     bool m_begun = false;
 };
 
+/// How a surface is opened.
 struct SurfaceOptions {
     Size size = {256, 256}; ///< Each 1 to kMaxSurfaceSize.
     bool srgb = false;      ///< Requests a target that encodes, where the driver has one: see srgbTarget().

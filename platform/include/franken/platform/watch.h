@@ -17,6 +17,7 @@ namespace FRANKEN_API platform {
 /// and the service manager's watchdog ends the process.
 class GpuHealth {
 public:
+    /// Takes the functions of the context that is current.
     explicit GpuHealth(const GetProcAddress& getProcAddress);
 
     /// Draws a canary, one pixel of a colour that differs from the last one, into a target of its own, and
@@ -34,12 +35,13 @@ private:
     unsigned m_turn = 0;
 };
 
+/// What counts as a fault, and when it is looked for.
 struct WatchOptions {
     /// A frame that is not completed after this time is a fault. A KMS surface acts by itself after
     /// ScreenOptions::flipTimeout; make this limit longer, for hangs that the surface cannot see.
     std::chrono::milliseconds frameLimit{12'000};
-    std::chrono::milliseconds canaryInterval{60'000};
-    std::chrono::milliseconds errorInterval{1'000};
+    std::chrono::milliseconds canaryInterval{60'000}; ///< How often a test frame is read back.
+    std::chrono::milliseconds errorInterval{1'000};   ///< How often GL is asked for errors.
     int errorLimit = 5; ///< GL errors in this many successive intervals are a fault.
     /// After this time without a fault, the next one counts as the first again.
     std::chrono::milliseconds forgetAfter{600'000};
@@ -50,10 +52,14 @@ struct WatchOptions {
 /// passes the time.
 class Watch {
 public:
+    /// Of any clock that does not jump.
     using Time = std::chrono::nanoseconds;
+    /// Begins without a fault.
     explicit Watch(const WatchOptions& options = {}) : m_options(options) {}
 
+    /// A frame was handed over.
     void submitted(Time now) { m_submitted = now; }
+    /// It is shown: nothing is overdue.
     void completed() { m_submitted.reset(); }
     /// Nothing is drawn for now (no screen, blanked, paused): nothing is overdue.
     void idle() { m_submitted.reset(); }
@@ -61,9 +67,12 @@ public:
     /// Whether the next test is due; true once per interval.
     bool canaryDue(Time now) { return isDue(m_canary, m_options.canaryInterval, now); }
     bool errorDue(Time now) { return isDue(m_error, m_options.errorInterval, now); }
+    /// The test frame came back, or did not.
     void canary(bool lives) { m_deadCanary = !lives; }
+    /// What glGetError() returned; 0 is no error.
     void error(unsigned glError) { m_errors = glError == 0 ? 0 : m_errors + 1; }
 
+    /// What is to be done.
     enum class Step {
         None,
         ResetScreen, ///< Surface::resetScreen().
@@ -71,6 +80,7 @@ public:
     };
     /// What to do now. Each fault is answered once.
     Step step(Time now);
+    /// Why step() said so: one sentence.
     const std::string& reason() const { return m_reason; }
 
 private:
