@@ -46,4 +46,6 @@ License: Expat
     file(GLOB pages ${root}/usr/share/man/man*/*[0-9])
     file(GLOB changelogs ${doc}/changelog ${doc}/changelog.Debian)
     execute_process(COMMAND gzip -9nf ${pages} ${changelogs} COMMAND_ERROR_IS_FATAL ANY)
+    # Not as the checkout's owner keeps files from others.
+    execute_process(COMMAND chmod -R u=rwX,go=rX ${root} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
