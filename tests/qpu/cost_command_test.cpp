@@ -83,7 +83,7 @@ TEST_F(Cost, DoesNotDependOnWhatWasMeasuredBefore) {
 TEST_F(Cost, FailsWhereNoRegistersAreFound) {
     const Outcome outcome =
         run("cost --gpu vc4 basecolor.vertexcolor.metalrough-separate.normal.occlusion.emissive."
-            "mask.double.emissive-uv1.uv0-transform.uv1-transform+sh+sun4+punctual4+spots+neutral+dither");
+            "mask.double.emissive-uv1.uv0-transform.uv1-transform+sh+sun4+punctual4+spots+seed");
     EXPECT_EQ(outcome.code, 1);
     EXPECT_NE(outcome.out.find("out of registers"), std::string::npos) << outcome.out;
 }
