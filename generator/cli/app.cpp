@@ -13,6 +13,7 @@ namespace franken::cli {
 namespace {
 
 constexpr long long kMostPermutations = 1'000'000'000; // More than anyone can wait for.
+constexpr std::size_t kMostInstructions = 1'000'000;
 constexpr char kAbout[] = "Writes, explains and checks the GLSL ES 1.00 programs of FrankenShader.";
 constexpr char kExitCodes[] =
     "A NAME is made of words: basecolor.normal+ambient+sun1 (see 'frankenshader list --words').\n"
@@ -34,6 +35,30 @@ Shard parseShard(const std::string& text) {
         shard.index > shard.count)
         throw CLI::ValidationError("--shard", "'" + text + "' is not I/N with 1 <= I <= N");
     return shard;
+}
+
+CostLimit parseLimit(const std::string& text, const CostOptions& options) {
+    const std::size_t sign = std::min(text.find('='), text.size());
+    const std::string gpu = text.substr(0, sign);
+    const std::string_view number = std::string_view(text).substr(std::min(sign + 1, text.size()));
+    std::size_t most = 0;
+    if (!parseNumber(number, most) || most < 1 || most > kMostInstructions)
+        throw CLI::ValidationError("--max", "'" + text + "' is not GPU=N with N from 1 to " +
+                                                std::to_string(kMostInstructions));
+    if (const Result<Gpu> known = findGpu(gpu); !known)
+        throw CLI::ValidationError("--max", known.error().what + " (" + known.error().remedy + ")");
+    const auto same = [&](const CostLimit& limit) { return limit.gpu == gpu; };
+    if (std::any_of(options.limits.begin(), options.limits.end(), same))
+        throw CLI::ValidationError("--max", "'" + gpu + "' has two limits");
+    return {gpu, static_cast<int>(most)};
+}
+
+// A limit of what is not measured would hold nothing.
+void checkLimits(const CostOptions& options) {
+    for (const CostLimit& limit : options.limits)
+        if (!options.gpus.empty() &&
+            std::find(options.gpus.begin(), options.gpus.end(), limit.gpu) == options.gpus.end())
+            throw CLI::ValidationError("--max", "'" + limit.gpu + "' is not among the GPUs of --gpu");
 }
 
 void addJson(CLI::App& app, bool& json) {
@@ -181,8 +206,22 @@ void addCost(CLI::App& app, CostOptions& options) {
         ->type_name("GPU")
         ->check(oneOf(names))
         ->allow_extra_args(false);
+    cost.add_option_function<std::vector<std::string>>(
+            "--max",
+            [&options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts)
+                    options.limits.push_back(parseLimit(text, options));
+            },
+            "Exit with 1 where a fragment shader has more instructions on that GPU: vc4=150; may be repeated")
+        ->type_name("GPU=N")
+        ->allow_extra_args(false);
+    cost.add_option("--baseline", options.baseline,
+                    "Exit with 1 where a program is dearer than in this file, which --json wrote")
+        ->type_name("FILE")
+        ->check(notEmpty());
     addJson(cost, options.json);
-    cost.footer("Example: frankenshader cost basecolor.normal+ambient+sun1 --gpu vc4");
+    cost.final_callback([&options] { checkLimits(options); });
+    cost.footer("Example: frankenshader cost basecolor.normal+ambient+sun1 --gpu vc4 --max vc4=150");
 }
 
 void addMeta(CLI::App& app, std::string& helpTopic, std::string& shell, std::string& page) {

@@ -34,12 +34,6 @@ void checkLint(const Program& program, std::vector<Finding>& findings) {
                             finding.message + " [" + std::string(finding.rule) + "]", ""});
 }
 
-std::string lineOf(const Finding& finding) {
-    return (finding.where.empty() ? finding.program : finding.where) + ": " + finding.check + ": " +
-           finding.what + (finding.remedy.empty() ? "" : " (" + finding.remedy + ")") +
-           (finding.where.empty() ? "" : " in " + finding.program) + "\n";
-}
-
 // A batch of programs is one process of glslang's: starting it takes longer than what it does for a program.
 constexpr std::size_t kBatch = 64;
 
@@ -98,7 +92,7 @@ ExitCode run(const CheckOptions& options, Console& console) {
             checkJson(permutations->size(), options.selection.profiles, glslang->has_value(), *findings));
     else
         for (const Finding& finding : *findings)
-            console.write(lineOf(finding));
+            console.write(toLine(finding));
     console.note(std::to_string(permutations->size()) + " programs checked, " +
                  std::to_string(findings->size()) + " findings");
     return findings->empty() ? ExitCode::Ok : ExitCode::Failed;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "columns.h"
 #include "commands.h"
+#include "cost_gate.h"
 #include "effects.h"
 #include "json.h"
 #include "selection.h"
@@ -89,16 +90,47 @@ Result<std::vector<Bill>> billsFor(const CostOptions& options, const std::vector
     return bills;
 }
 
+Result<CostBaseline> baselineFor(const CostOptions& options) {
+    return options.baseline.empty() ? CostBaseline{} : readCostBaseline(options.baseline);
+}
+
+// A gate that compares nothing would pass for ever.
+Error nothingToCompare(const std::string& file) {
+    return {"cost.baseline", file, "it has none of these programs on these GPUs",
+            "write it anew with 'frankenshader cost --json'"};
+}
+
+void tellFindings(const GateFindings& gate, const CostOptions& options, Console& console) {
+    if (!options.json && !gate.findings.empty())
+        console.write("\n");
+    for (const Finding& finding : gate.findings)
+        if (!options.json)
+            console.write(toLine(finding));
+    if (!options.baseline.empty() && gate.compared < gate.asked)
+        console.note(std::to_string(gate.asked - gate.compared) + " of " + std::to_string(gate.asked) +
+                     " costs are not in " + options.baseline + ", and so not compared");
+    console.note(std::to_string(gate.asked) + " costs held, " + std::to_string(gate.findings.size()) +
+                 " findings");
+}
+
 } // namespace
 
 ExitCode run(const CostOptions& options, Console& console) {
     const auto permutations = select(options.selection, console);
     if (!permutations)
         return ExitCode::Refused;
+    const auto baseline = baselineFor(options);
+    if (!baseline)
+        return console.error(baseline.error()), ExitCode::Refused;
     const auto bills = billsFor(options, *permutations);
     if (!bills)
         return console.error(bills.error()), ExitCode::Device;
-    bool failed = false;
+    std::optional<GateFindings> gate;
+    if (options.isGate())
+        gate = findExcess(*bills, options.limits, *baseline);
+    if (!options.baseline.empty() && gate->compared == 0)
+        return console.error(nothingToCompare(options.baseline)), ExitCode::Refused;
+    bool failed = gate && !gate->findings.empty();
     for (std::size_t i = 0; i < permutations->size(); ++i) {
         if (!options.json)
             console.write((i > 0 ? "\n" : "") +
@@ -110,7 +142,9 @@ ExitCode run(const CostOptions& options, Console& console) {
         }
     }
     if (options.json)
-        console.write(costJson(*bills));
+        console.write(costJson(*bills, gate));
+    if (gate)
+        tellFindings(*gate, options, console);
     return failed ? ExitCode::Failed : ExitCode::Ok;
 }
 

@@ -111,6 +111,17 @@ Json modelsOf(const Gpu& gpu, int instructions) {
     return models;
 }
 
+Json toJson(const std::vector<Finding>& findings) {
+    Json json = Json::array();
+    for (const Finding& each : findings)
+        json.push_back({{"program", each.program},
+                        {"check", each.check},
+                        {"where", each.where},
+                        {"what", each.what},
+                        {"remedy", each.remedy}});
+    return json;
+}
+
 Json toJson(const Gpu& gpu, const Priced& priced) {
     Json json = {{"name", toName(priced.asked, snippets())},
                  {"gpu", gpu.name},
@@ -216,22 +227,18 @@ std::string checkJson(std::size_t programs, const std::vector<std::string>& prof
     json["programs"] = programs;
     json["profiles"] = profiles;
     json["glslangAsked"] = glslangAsked;
-    json["findings"] = Json::array();
-    for (const Finding& each : findings)
-        json["findings"].push_back({{"program", each.program},
-                                    {"check", each.check},
-                                    {"where", each.where},
-                                    {"what", each.what},
-                                    {"remedy", each.remedy}});
+    json["findings"] = toJson(findings);
     return print(json);
 }
 
-std::string costJson(const std::vector<Bill>& bills) {
+std::string costJson(const std::vector<Bill>& bills, const std::optional<GateFindings>& gate) {
     Json json = document("cost");
     json["costs"] = Json::array();
     for (const Bill& bill : bills)
         for (const Priced& priced : bill.priced)
             json["costs"].push_back(toJson(bill.gpu, priced));
+    if (gate)
+        json["findings"] = toJson(gate->findings);
     return print(json);
 }
 

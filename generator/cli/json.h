@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cost_gate.h"
 #include "diff_folder.h"
 #include "explanation.h"
 #include "finding.h"
-#include "priced.h"
 #include "program.h"
 #include "selection.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,12 +47,8 @@ std::string diffFolderJson(const std::string& folder, const std::vector<FolderPr
 std::string checkJson(std::size_t programs, const std::vector<std::string>& profiles, bool glslangAsked,
                       const std::vector<Finding>& findings);
 
-/// What the same permutations cost on one of several GPUs.
-struct Bill {
-    Gpu gpu;
-    std::vector<Priced> priced;
-};
-std::string costJson(const std::vector<Bill>& bills);
+/// Findings where there is a gate.
+std::string costJson(const std::vector<Bill>& bills, const std::optional<GateFindings>& gate);
 
 /// What is answered in place of a document where a command fails.
 std::string errorsJson(const std::vector<Error>& errors);

@@ -76,10 +76,20 @@ struct CheckOptions {
     bool json = false;
 };
 
+/// The most instructions that a fragment shader may have on a GPU.
+struct CostLimit {
+    std::string gpu;
+    int instructions = 0;
+};
+
 struct CostOptions {
     SelectionOptions selection;
     std::vector<std::string> gpus; ///< By name; none is all.
+    std::vector<CostLimit> limits;
+    std::string baseline; ///< A file that `cost --json` wrote; empty for none.
     bool json = false;
+
+    bool isGate() const { return !limits.empty() || !baseline.empty(); }
 };
 
 /// A parsed command line, or the exit code where there is nothing left to do: help, the version,

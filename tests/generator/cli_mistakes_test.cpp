@@ -51,6 +51,14 @@ TEST_F(CliMistakes, OffersWhatWasProbablyMeant) {
              {"explain --jsno", "did you mean '--json'?"},
              {"diff --agianst x", "did you mean '--against'?"},
              {"cost sun1 --gpu vc3", "did you mean 'vc4'?"},
+             {"cost sun1 --max vc4", "'vc4' is not GPU=N"},
+             {"cost sun1 --max vc4=0", "'vc4=0' is not GPU=N"},
+             {"cost sun1 --max vc4=-1", "is not GPU=N"},
+             {"cost sun1 --max vc4=99999999999999999999", "is not GPU=N"},
+             {"cost sun1 --max pi3=100", "there is no such GPU"},
+             {"cost sun1 --max vc4=1 --max vc4=2", "'vc4' has two limits"},
+             {"cost sun1 --max vc4=1 --gpu v3d42", "'vc4' is not among the GPUs of --gpu"},
+             {"cost sun1 --baseline ''", "the name is empty"},
              {"dump Normal+sun1", "did you mean 'normal'?", 3},
              {"list --limit -1", "'-1' is not a whole number"},
              {"list --limit 99999999999999999999", "is not a whole number"},
@@ -66,6 +74,28 @@ TEST_F(CliMistakes, OffersWhatWasProbablyMeant) {
         EXPECT_EQ(outcome.out, "") << arguments;
     }
     EXPECT_EQ(run("dump qqqqqqqq").err.find("did you mean"), std::string::npos);
+}
+
+TEST_F(CliMistakes, RefusesABaselineThatIsNone) {
+    const std::string costs = R"({"command": "cost", "costs": [)";
+    const std::string deep(100'000, '[');
+    for (const std::string& text :
+         {std::string(), std::string("no JSON"), std::string("[]"), std::string("{}"), deep, costs,
+          costs + "1]}", costs + "[]]}", costs + "{}]}", costs + R"({"name": "sky"}]})",
+          costs + R"({"name": "sky", "gpu": "vc4", "fragment": {"instructions": -1}}]})",
+          costs + R"({"name": "sky", "gpu": "vc4", "fragment": {"instructions": 1e99}}]})",
+          costs + R"({"name": "sky", "gpu": "vc4", "fragment": {"instructions": 9999999999}}]})",
+          costs + R"({"name": ")" + std::string(5000, 'x') + R"(", "gpu": "vc4"}]})",
+          std::string(R"({"command": "list", "costs": []})"),
+          std::string(R"({"command": "cost", "costs": {}})")}) {
+        std::ofstream(path("costs.json")) << text;
+        const Outcome outcome = run("cost sky --baseline costs.json");
+        EXPECT_EQ(outcome.code, 3) << text.substr(0, 200);
+        EXPECT_NE(outcome.err.find("costs.json: "), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find("cost --json"), std::string::npos) << outcome.err;
+    }
+    for (const char* file : {"nowhere.json", "."})
+        EXPECT_EQ(run(std::string("cost sky --baseline ") + file).code, 3) << file;
 }
 
 TEST_F(CliMistakes, AnErrorIsADocumentWhereOneIsAskedFor) {

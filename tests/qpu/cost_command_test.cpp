@@ -80,6 +80,75 @@ TEST_F(Cost, DoesNotDependOnWhatWasMeasuredBefore) {
     }
 }
 
+TEST_F(Cost, HoldsALimit) {
+    const Outcome within =
+        run("cost basecolor.unlit+srgb-fast sky --gpu vc4 --gpu v3d42 --max vc4=1000 --max v3d42=1000");
+    EXPECT_EQ(within.code, 0) << within.err;
+    const Outcome above =
+        run("cost basecolor.unlit+srgb-fast sky --gpu vc4 --gpu v3d42 --max vc4=30 --max v3d42=1000");
+    EXPECT_EQ(above.code, 1);
+    EXPECT_NE(above.out.find("vc4: max: the fragment shader has "), std::string::npos) << above.out;
+    EXPECT_NE(above.out.find(" in sky\n"), std::string::npos) << above.out;
+    EXPECT_EQ(above.out.find(" in basecolor.unlit+srgb-fast\n"), std::string::npos) << above.out;
+}
+
+/// The figures of a document of costs, changed.
+template<typename Change>
+std::string changed(const std::string& document, Change change) {
+    Json costs = Json::parse(document);
+    for (Json& cost : costs.at("costs"))
+        change(cost);
+    return costs.dump();
+}
+
+TEST_F(Cost, HoldsABaseline) {
+    const std::string document = run("cost basecolor.unlit sky --gpu vc4 --json").out;
+    const auto against = [&](const std::string& baseline, const std::string& more = "") {
+        std::ofstream(path("costs.json")) << baseline;
+        return run("cost basecolor.unlit sky --gpu vc4 --baseline costs.json" + more);
+    };
+    EXPECT_EQ(against(document).code, 0);
+
+    struct Row {
+        const char *shader, *figure;
+        int by;
+        const char* says;
+    };
+    for (const Row& row : {Row{"fragment", "instructions", -5, "fragment instructions went from"},
+                           {"vertex", "instructions", -5, "vertex instructions went from"},
+                           {"coordinate", "instructions", -5, "coordinate instructions went from"},
+                           {"fragment", "threads", 1, "threads went from"}}) {
+        const Outcome dearer = against(changed(document, [&](Json& cost) {
+            Json& figure = cost.at(row.shader).at(row.figure);
+            figure = figure.get<int>() + row.by;
+        }));
+        EXPECT_EQ(dearer.code, 1) << row.shader;
+        EXPECT_NE(dearer.out.find(row.says), std::string::npos) << dearer.out;
+    }
+    const Outcome cheaper =
+        against(changed(document, [](Json& cost) { cost["fragment"]["instructions"] = 900; }));
+    EXPECT_EQ(cheaper.code, 0) << cheaper.out;
+
+    const Outcome json =
+        against(changed(document, [](Json& cost) { cost["fragment"]["instructions"] = 1; }), " --json");
+    EXPECT_EQ(json.code, 1);
+    const Json findings = Json::parse(json.out).at("findings");
+    ASSERT_EQ(findings.size(), 2u);
+    EXPECT_EQ(findings[0].at("program"), "basecolor.unlit");
+    EXPECT_EQ(findings[0].at("check"), "baseline");
+    EXPECT_EQ(findings[0].at("where"), "vc4");
+}
+
+TEST_F(Cost, ABaselineThatComparesNothingIsRefused) {
+    std::ofstream(path("costs.json")) << run("cost sky --gpu v3d42 --json").out;
+    const Outcome other = run("cost sky --gpu vc4 --baseline costs.json");
+    EXPECT_EQ(other.code, 3);
+    EXPECT_NE(other.err.find("none of these programs"), std::string::npos) << other.err;
+    const Outcome partly = run("cost sky --gpu vc4 --gpu v3d42 --baseline costs.json");
+    EXPECT_EQ(partly.code, 0) << partly.err;
+    EXPECT_NE(partly.err.find("1 of 2 costs are not in costs.json"), std::string::npos) << partly.err;
+}
+
 TEST_F(Cost, FailsWhereNoRegistersAreFound) {
     const Outcome outcome =
         run("cost --gpu vc4 basecolor.vertexcolor.metalrough-separate.normal.occlusion.emissive."

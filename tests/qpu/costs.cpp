@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "costs.h"
 
+#include "dearer.h"
 #include "population.h"
 
 #include <cmath>
@@ -47,7 +48,13 @@ CostRow rowOf(std::string_view gpu, const cli::Priced& priced) {
     return row;
 }
 
-bool rises(int before, int after) { return after > before * 1.03; }
+cli::Cost costOf(const CostRow& row) {
+    cli::Cost cost;
+    cost.fragment = {row.fragment, row.threads, row.uniforms, row.temps, row.spills, row.fills};
+    cost.vertex.instructions = row.vertex;
+    cost.coordinate.instructions = row.coordinate;
+    return cost;
+}
 
 } // namespace
 
@@ -84,19 +91,7 @@ std::vector<CostRow> fromTable(const Table& table) {
 std::string worse(const CostRow& before, const CostRow& after) {
     if (before.outcome != after.outcome)
         return "it was '" + before.outcome + "' and is '" + after.outcome + "'";
-    std::string text;
-    const auto compare = [&](const char* what, int was, int is, bool isWorse) {
-        if (isWorse)
-            text +=
-                std::string(what) + " went from " + std::to_string(was) + " to " + std::to_string(is) + "; ";
-    };
-    compare("fragment instructions", before.fragment, after.fragment, rises(before.fragment, after.fragment));
-    compare("threads", before.threads, after.threads, after.threads < before.threads);
-    compare("spills", before.spills, after.spills, after.spills > before.spills);
-    compare("vertex instructions", before.vertex, after.vertex, rises(before.vertex, after.vertex));
-    compare("coordinate instructions", before.coordinate, after.coordinate,
-            rises(before.coordinate, after.coordinate));
-    return text;
+    return cli::dearer(costOf(before), costOf(after));
 }
 
 std::vector<Goal> goalsFrom(const Table& table) {

@@ -23,8 +23,7 @@ std::vector<CostRow> measureCosts(std::string_view gpu);
 Table toTable(const std::vector<CostRow>& costs);
 std::vector<CostRow> fromTable(const Table& table);
 
-/// What got worse from one row to the other, or nothing: instructions of a shader by more than 3 %, which is
-/// scheduling; threads lost; more spills; another outcome.
+/// What got worse from one row to the other, or nothing: see cli::dearer(); or another outcome.
 std::string worse(const CostRow& before, const CostRow& after);
 
 /// A row of goals.tsv.
