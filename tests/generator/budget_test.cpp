@@ -140,15 +140,15 @@ TEST(Budget, OnVc4MoreLightsFitWhereLittleElseIsHeld) {
     };
     for (const auto& [name, limit] : {
              Row{"sun4+punctual4", 8},
-             {"sun4+punctual4+spots", 7},
-             {"basecolor.normal+sun4+punctual4", 7},
-             {"basecolor.vertexcolor.metalrough+sun4+punctual4+spots", 5},
+             {"sun4+punctual4+spots", 8},
+             {"basecolor.normal+sun4+punctual4", 8},
+             {"basecolor.vertexcolor.metalrough+sun4+punctual4+spots", 6},
              {"basecolor.vertexcolor.metalrough-separate.normal.occlusion.emissive+sh+reflection+sun4+"
               "punctual4+spots",
               4},
              {"basecolor.vertexcolor.metalrough-separate.normal.occlusion.emissive+sh+reflection+sun2+"
               "punctual2",
-              4},
+              5},
          }) {
         const Interface interface = compose(named(name)).interface;
         EXPECT_EQ(budget(interface, profile("vc4"))[Resource::Lights].limit, limit) << name;
