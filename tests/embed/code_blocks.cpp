@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // code_blocks PAGE.md OUT_DIR: writes each C++ block of the page to OUT_DIR/HEADING.inc, for a test that
-// includes it, and each block of command lines to OUT_DIR/HEADING.sh, for a test that runs it. HEADING is the
-// heading above the block, in lower case with dashes ("a-sky"); a second block of a language under one
-// heading gets "-2". Compilers name the page and its line in their messages.
+// includes it, each block of command lines to OUT_DIR/HEADING.sh, for a test that runs it, and each block of
+// GLSL to OUT_DIR/HEADING.glsl. HEADING is the heading above the block, in lower case with dashes ("a-sky");
+// a second block of a language under one heading gets "-2". Compilers name the page and its line in their
+// messages.
 #include <cctype>
 #include <filesystem>
 #include <fstream>
@@ -28,6 +29,8 @@ std::string fileOf(const std::string& fence, const std::string& heading, int num
     const std::string name = slugOf(heading) + (number > 1 ? "-" + std::to_string(number) : "");
     if (fence == "```cpp")
         return name + ".inc";
+    if (fence == "```glsl")
+        return name + ".glsl";
     return fence == "```sh" ? name + ".sh" : "";
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The command lines of README.md, run as they are printed, in a folder with the files that they name.
+// The command lines of README.md and of the handbook, run as they are printed, in a folder with the files
+// that they name.
 #include "support/shell.h"
 
 #include <algorithm>
@@ -104,6 +105,33 @@ TEST_F(Commands, OfASky) {
     EXPECT_EQ(commands.size(), 2u);
     for (const std::string& command : commands)
         expectSuccess(command);
+}
+
+/// Runs the command lines under a heading of the handbook.
+class Handbook : public Commands {
+protected:
+    void expectSuccessOf(const std::string& heading, std::size_t count) const {
+        const std::vector<std::string> commands = commandsOf(kFolder + heading);
+        EXPECT_EQ(commands.size(), count) << heading;
+        for (const std::string& command : commands)
+            expectSuccess(command);
+    }
+
+    const std::string kFolder = "toolchains/docs/handbook/";
+};
+
+TEST_F(Handbook, OfLight) {
+    expectSuccess("make_model urn.glb");
+    expectSuccessOf("units-and-exposure", 3);
+    expectSuccessOf("why-is-it-black-", 5);
+    EXPECT_TRUE(fs::exists(m_folder / "occlusion.png"));
+}
+
+TEST_F(Handbook, OfAnEffect) {
+    expectSuccess("make_model urn.glb");
+    fs::copy(fs::path(BLOCKS) / (kFolder + "the-file.glsl"), m_folder / "glow.glsl");
+    expectSuccessOf("try-it", 3);
+    EXPECT_TRUE(fs::exists(m_folder / "glow.png"));
 }
 
 TEST_F(Commands, OfTheToolkits) {
