@@ -41,6 +41,8 @@ Permutation reduce(Permutation permutation, Drop drop) {
 std::string reasonFor(const Permutation& p, std::string_view choice) {
     if (choice == "target")
         return "this program is the same on all GPUs";
+    if (choice == "joints" && p.influences == 0)
+        return "no joint moves a vertex; add 'skin4'";
     if (choice == "precision")
         return "this program is the same in 16 bits";
     if (choice == "lightVectors" && p.precision == Precision::Fp16)
@@ -167,6 +169,8 @@ Result<Canonical> canonicalise(const Permutation& permutation) {
 Permutation fragmentChoices(const Permutation& permutation) {
     Permutation choices = permutation;
     choices.uv0Transform = choices.uv1Transform = false;
+    choices.influences = 0;
+    choices.joints = {};
     if (choices.effect.slot != 0 && outline(permutation, Stage::Fragment).effect == 0)
         choices.effect = {};
     return choices;
@@ -177,7 +181,8 @@ Key stageKey(const Permutation& permutation, Stage stage) {
         return toKey(fragmentChoices(permutation));
     const Outline vertex = outline(permutation, Stage::Vertex);
     return {{vertex.rows.to_ullong(), std::uint64_t{vertex.suns} | std::uint64_t{vertex.punctualLights} << 8 |
-                                          std::uint64_t{vertex.effect} << 16}};
+                                          std::uint64_t{vertex.effect} << 16 |
+                                          std::uint64_t{vertex.influences} << 24}};
 }
 
 } // namespace franken

@@ -54,6 +54,14 @@ constexpr Option kUv0Transform[] = {{"uv0-plain", "stream 0 as it is"},
                                     {"uv0-transform", "stream 0 through a KHR_texture_transform matrix"}};
 constexpr Option kUv1Transform[] = {{"uv1-plain", "stream 1 as it is"},
                                     {"uv1-transform", "stream 1 through a KHR_texture_transform matrix"}};
+constexpr Option kInfluences[] = {{"skin0", "no joint moves a vertex in the vertex shader"},
+                                  {"skin1", "one joint moves a vertex"},
+                                  {"skin2", "two joints move a vertex"},
+                                  {"skin3", "three joints move a vertex"},
+                                  {"skin4", "four joints move a vertex"}};
+constexpr Option kJoints[] = {{"joints32", "room for 32 joints"},
+                              {"joints64", "room for 64 joints"},
+                              {"joints256", "room for 256 joints"}};
 constexpr Option kShading[] = {{"lit", "lit by ambient light, suns and punctual lights"},
                                {"unlit", "base colour alone (KHR_materials_unlit)"}};
 constexpr Option kAmbient[] = {{"no-ambient", "no ambient light"},
@@ -127,6 +135,8 @@ constexpr std::array kChoices = {
     choice<&Permutation::emissiveUv>("emissiveUv", true, 20, 1, kEmissiveUv),
     choice<&Permutation::uv0Transform>("uv0Transform", true, 21, 1, kUv0Transform),
     choice<&Permutation::uv1Transform>("uv1Transform", true, 22, 1, kUv1Transform),
+    choice<&Permutation::influences>("influences", true, 47, 3, kInfluences),
+    choice<&Permutation::joints>("joints", true, 56, 2, kJoints),
     choice<&Permutation::shading>("shading", true, 23, 1, kShading),
     choice<&Permutation::ambient>("ambient", false, 64, 3, kAmbient),
     choice<&Permutation::reflection>("reflection", false, 67, 3, kReflection),
@@ -156,9 +166,7 @@ constexpr ReservedBits kReserved[] = {
     {"sheen or anisotropy, and their textures", 40, 4},
     {"sheen's or anisotropy's streams", 44, 2},
     {"vertices in object space", 46, 1},
-    {"skins", 47, 2},
-    {"morphs", 49, 1},
-    {"spare material bits", 56, 8},
+    {"spare material bits", 58, 6},
     {"driver workarounds", 100, 4},
     {"shadows of four suns", 104, 4},
     {"shadow filter", 108, 2},

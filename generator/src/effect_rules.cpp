@@ -23,7 +23,7 @@ struct Input {
 };
 
 constexpr std::array<Input, 9> kInputs = {{
-    {kVertexHook, "vec3 position", "aPosition"},
+    {kVertexHook, "vec3 position", "position"},
     {kBaseColorHook, "vec4 base", "base"},
     {kSurfaceHook, "inout vec3 normal", "normal"},
     {kSurfaceHook, "inout float metallic", "metallic", kSurfaceChangesMetallic},
@@ -35,7 +35,7 @@ constexpr std::array<Input, 9> kInputs = {{
 }};
 
 constexpr EffectHook kHooks[] = {
-    {"vertex", kVertexHook, "vertex/transform/position.effect", "vec3", "onVertex", "vec3 position"},
+    {"vertex", kVertexHook, "vertex/transform/effect", "vec3", "onVertex", "vec3 position"},
     {"base-color", kBaseColorHook, "fragment/effect/base_color", "vec4", "onBaseColor", "vec4 base"},
     {"surface", kSurfaceHook, "fragment/effect/surface", "void", "onSurface", ""},
     {"light", kLightHook, "fragment/effect/light", "vec3", "onLight", "vec3 color"},

@@ -21,12 +21,18 @@ constexpr std::array<TypeRow, 8> kTypes = {{{"float", 1},
                                             {"mat4", 16},
                                             {"sampler2D", 0},
                                             {"samplerCube", 0}}};
-constexpr std::array<std::string_view, kBlocks> kBlockNames = {"frame", "lights", "material", "object",
-                                                               "user"};
+constexpr std::array<std::string_view, kBlocks> kBlockNames = {"frame",  "lights", "material",
+                                                               "object", "skin",   "user"};
 
 using Slot = std::pair<std::string_view, int>;
-constexpr std::array<Slot, 6> kAttributes = {
-    {{"aPosition", 0}, {"aNormal", 1}, {"aTangent", 2}, {"aUv0", 3}, {"aUv1", 4}, {"aColor", 5}}};
+constexpr std::array<Slot, 8> kAttributes = {{{"aPosition", 0},
+                                              {"aNormal", 1},
+                                              {"aTangent", 2},
+                                              {"aUv0", 3},
+                                              {"aUv1", 4},
+                                              {"aColor", 5},
+                                              {"aJoints", 6},
+                                              {"aWeights", 7}}};
 } // namespace
 
 std::string_view toGlsl(Type type) { return kTypes[static_cast<std::size_t>(type)].glsl; }

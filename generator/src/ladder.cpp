@@ -45,7 +45,14 @@ void useOneColor(Permutation& p) {
     p.alpha = p.alpha == Alpha::Blend ? Alpha::Blend : Alpha::Opaque;
 }
 
+// Whoever draws with a program that moves no vertices moves them on the CPU: the picture stays the same.
+void moveVerticesOnTheCpu(Permutation& p) {
+    p.influences = 0;
+    p.joints = {};
+}
+
 constexpr Change kRungs[] = {
+    moveVerticesOnTheCpu,
     [](Permutation& p) { p.effect = {}; },
     [](Permutation& p) { p.target = Target::Generic; },
     [](Permutation& p) { p.dither = Dither::None; },

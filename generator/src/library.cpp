@@ -7,6 +7,8 @@ namespace {
 constexpr std::string_view kSuns[] = {"Sun0", "Sun1", "Sun2", "Sun3"};
 constexpr std::string_view kPunctualLights[] = {"Punctual0", "Punctual1", "Punctual2", "Punctual3"};
 constexpr std::string_view kLanes[] = {"x", "y", "z", "w"};
+static_assert(std::size(kLanes) >= Permutation::kMaxLights &&
+              Permutation::kMaxInfluences <= Permutation::kMaxLights);
 constexpr std::string_view kUvs[] = {"vUv0", "vUv1"};
 
 std::string_view replacement(Placeholder placeholder, const Step& step) {
@@ -60,6 +62,8 @@ Group groupOf(const Declaration& declaration) {
         return Group::LightsUniforms;
     case Block::Material:
         return Group::MaterialUniforms;
+    case Block::Skin:
+        return Group::SkinUniforms;
     case Block::User:
         return Group::UserUniforms;
     case Block::Object:

@@ -21,10 +21,11 @@ enum class Group : std::uint8_t {
     LightsUniforms,
     MaterialUniforms,
     ObjectUniforms,
+    SkinUniforms,
     UserUniforms,
     Samplers,
 };
-inline constexpr std::size_t kGroups = 9;
+inline constexpr std::size_t kGroups = 10;
 
 /// A snippet with its placeholders filled in: what one step of a plan adds to a program.
 struct Part {

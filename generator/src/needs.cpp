@@ -84,6 +84,7 @@ Needs needsOf(const Permutation& p) {
     Needs n{};
     n.material = p.program == Program::Surface;
     n.shaded = p.view == View::Shaded;
+    n.skinned = n.material && p.influences > 0;
     findLight(p, n);
     findMaterial(p, n);
     const bool textures = (n.color && p.baseColorTexture) || (n.emissive && p.emissive == Emissive::Texture);

@@ -27,6 +27,7 @@ struct Needs {
     bool encoded;    ///< ... and stays in sRGB codes, because decode and encode would cancel.
     bool base;       ///< The base colour's RGB or alpha is read.
     bool reflection; ///< The sky's reflection.
+    bool skinned;    ///< Joints move the vertices.
     bool normal;     ///< A normal per pixel.
     bool normalMap;  ///< ... from a map.
     bool turned;     ///< The normal is turned on back faces.

@@ -143,6 +143,18 @@ void fitToFp16(LightsBlock& block, float farthest) {
     }
 }
 
+std::size_t roomFor(Joints joints) {
+    switch (joints) {
+    case Joints::UpTo32:
+        return 32;
+    case Joints::UpTo64:
+        return 64;
+    case Joints::UpTo256:
+        break;
+    }
+    return kMaxJoints;
+}
+
 Float3 packDither(const std::array<int, 3>& bits) {
     const auto step = [](int count) { return 1 / static_cast<float>((1 << count) - 1); };
     return {step(bits[0]), step(bits[1]), step(bits[2])};
@@ -191,6 +203,7 @@ constexpr PackField kFields[] = {
     {Block::Object, "uModel", offsetof(ObjectBlock, model)},
     {Block::Object, "uNormalMatrix", offsetof(ObjectBlock, normalMatrix)},
     {Block::Object, "uOverlay", offsetof(ObjectBlock, overlay)},
+    {Block::Skin, "uJoints", offsetof(SkinBlock, joints)},
 };
 
 // Where the field's value for that uniform is, in bytes, if it is the field's at all.

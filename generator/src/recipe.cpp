@@ -40,8 +40,16 @@ struct Slot {
 };
 
 constexpr std::array kSlots = {
-    Slot{kVertex, [](P, N n) { return n.material && !n.vertexHook; }, {{"transform/position"}}},
-    Slot{kVertex, needs<&Needs::vertexHook>, {{"transform/position.effect"}}, Each::Effect},
+    Slot{kVertex,
+         needs<&Needs::skinned>,
+         {{"skin/palette.32", is<&Permutation::joints, Joints::UpTo32>},
+          {"skin/palette.64", is<&Permutation::joints, Joints::UpTo64>},
+          {"skin/palette.256"}}},
+    Slot{kVertex, needs<&Needs::skinned>, {{"skin/matrix.rigid", kRigid}, {"skin/matrix"}}},
+    Slot{kVertex, [](P p, N n) { return n.skinned && !kRigid(p, n); }, {{"skin/influence"}}, Each::Influence},
+    Slot{kVertex, moved, {{"transform/moved.skin", needs<&Needs::skinned>}, {"transform/moved"}}},
+    Slot{kVertex, needs<&Needs::vertexHook>, {{"transform/effect"}}, Each::Effect},
+    Slot{kVertex, needs<&Needs::material>, {{"transform/position.moved", moved}, {"transform/position"}}},
     Slot{kVertex, is<&Permutation::program, Program::Overlay>, {{"transform/overlay"}}},
     Slot{kVertex, is<&Permutation::program, Program::Sky>, {{"transform/skybox"}}},
     Slot{kVertex,
@@ -51,16 +59,18 @@ constexpr std::array kSlots = {
          needs<&Needs::uv1>,
          {{"streams/uv1.transform", is<&Permutation::uv1Transform, true>}, {"streams/uv1"}}},
     Slot{kVertex, coloured, {{"streams/color"}}},
-    Slot{kVertex, kNormal, {{"frame/normal"}}},
+    Slot{kVertex, kNormal, {{"frame/normal.skin", needs<&Needs::skinned>}, {"frame/normal"}}},
     Slot{kVertex, normalVarying, {{"frame/normal_varying"}}},
     Slot{kVertex,
          [](P, N n) { return n.toCamera || n.normalMap; },
-         {{"frame/to_camera.effect", [](P, N n) { return n.toCamera && n.vertexHook; }},
+         {{"frame/to_camera.moved", [](P p, N n) { return n.toCamera && moved(p, n); }},
           {"frame/to_camera", needs<&Needs::toCamera>},
           {"frame/model"}}},
     Slot{kVertex, cameraVarying, {{"frame/to_camera_varying.fp16", kFp16}, {"frame/to_camera_varying"}}},
     Slot{kVertex, directInFp16, {{"lights/to_punctual.fp16"}}, Each::Punctual},
-    Slot{kVertex, needs<&Needs::normalMap>, {{"frame/tangent"}}},
+    Slot{kVertex,
+         needs<&Needs::normalMap>,
+         {{"frame/tangent.skin", needs<&Needs::skinned>}, {"frame/tangent"}}},
     Slot{kVertex, needs<&Needs::normalMap>, {{"frame/tangent_space", kTangent}, {"frame/tangent_varying"}}},
     Slot{kVertex, kTangent, {{"sun/tangent_space"}}, Each::Sun},
     Slot{kVertex, lights<LightForm::VertexWorld>, {{"sun/angles"}}},
@@ -344,6 +354,8 @@ void addSlot(P p, Needs& n, Outline& outline) {
         outline.suns = p.suns;
     if constexpr (slot.each == Each::Punctual)
         outline.punctualLights = p.punctualLights;
+    if constexpr (slot.each == Each::Influence)
+        outline.influences = p.influences;
     if constexpr (slot.each == Each::Effect)
         outline.effect = p.effect.slot;
     addForm<Index, 0>(p, n, outline);

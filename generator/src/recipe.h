@@ -11,7 +11,7 @@ namespace franken {
 
 /// How often a row's snippet stands in the text. Neighbouring rows of the same kind repeat together.
 /// Effect: once, as the effect of the permutation fills it.
-enum class Each : std::uint8_t { Once, Sun, Punctual, Effect };
+enum class Each : std::uint8_t { Once, Sun, Punctual, Influence, Effect };
 
 /// One row of the recipe: which snippet, in which stage. The rows' order is that of the text; their
 /// conditions stand in recipe_conditions.h. Rows of which at most one is in a text make one slot
@@ -34,13 +34,24 @@ RowRange rowsOf(Stage stage);
 
 /// How often a row of that kind stands in a permutation's text.
 inline std::uint8_t repeats(const Permutation& p, Each each) {
-    return each == Each::Sun ? p.suns : each == Each::Punctual ? p.punctualLights : 1;
+    switch (each) {
+    case Each::Sun:
+        return p.suns;
+    case Each::Punctual:
+        return p.punctualLights;
+    case Each::Influence:
+        return p.influences;
+    case Each::Once:
+    case Each::Effect:
+        break;
+    }
+    return 1;
 }
 
 /// A row that applies, with what its placeholders stand for.
 struct Step {
     std::uint8_t row;
-    std::uint8_t light; ///< Index of the sun or punctual light; the slot of the effect.
+    std::uint8_t light; ///< Index of the sun, punctual light or influence; the slot of the effect.
     UvStream uv;
     friend bool operator==(const Step&, const Step&) = default;
 };
@@ -50,6 +61,7 @@ struct Outline {
     std::bitset<kMaxRows> rows;        ///< Those that apply.
     std::bitset<kMaxRows> readsUv1;    ///< Those whose ${uv} stands for stream 1.
     std::uint8_t suns, punctualLights; ///< How often their rows repeat; 0 where there are none.
+    std::uint8_t influences;           ///< The same.
     std::uint8_t effect;               ///< The slot of the effect that fills a row; 0 where none does.
     friend bool operator==(const Outline&, const Outline&) = default;
 };

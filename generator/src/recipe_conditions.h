@@ -33,6 +33,9 @@ inline constexpr Condition kDirect = needs<&Needs::direct>;
 inline constexpr Condition kReflected = needs<&Needs::reflection>;
 inline constexpr Condition kTextured = needs<&Needs::textured>;
 inline constexpr Condition kNormal = needs<&Needs::normal>;
+// Where a vertex is moved before it is projected.
+inline bool moved(P, N n) { return n.skinned || n.vertexHook; }
+inline constexpr Condition kRigid = is<&Permutation::influences, 1>;
 inline constexpr Condition kFew = lights<LightForm::PixelFew>;
 inline constexpr Condition kTangent = lights<LightForm::VertexTangent>;
 inline constexpr Condition kFp16 = is<&Permutation::precision, Precision::Fp16>;

@@ -58,7 +58,7 @@ std::optional<Type> findType(std::string_view word) {
 }
 
 std::optional<Block> findBlock(std::string_view comment) {
-    for (int block = 0; block <= static_cast<int>(Block::Object); ++block) {
+    for (int block = 0; block <= static_cast<int>(Block::Skin); ++block) {
         const std::string_view name = toText(static_cast<Block>(block));
         if (comment.starts_with(name) && comment.substr(name.size()).starts_with(':'))
             return static_cast<Block>(block);

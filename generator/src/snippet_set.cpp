@@ -37,9 +37,10 @@ std::string firstName(const Declaration& declaration, std::uint8_t row) {
     return declaredName(declaration, {row, 0, UvStream::Uv0});
 }
 
-const std::map<std::string, Declaration>& builtInDeclarations() {
-    static const std::map<std::string, Declaration> all = [] {
-        std::map<std::string, Declaration> declarations;
+/// By name; arrays of several lengths may have one.
+const std::multimap<std::string, Declaration>& builtInDeclarations() {
+    static const std::multimap<std::string, Declaration> all = [] {
+        std::multimap<std::string, Declaration> declarations;
         for (std::uint8_t row = 0; row < recipe().size(); ++row)
             for (const Declaration& declaration : builtInSnippets()[row].interface)
                 declarations.emplace(firstName(declaration, row), declaration);
@@ -53,10 +54,12 @@ Result<void> checkInterface(const Snippet& snippet, std::uint8_t row) {
         if (declaration.kind == Declaration::Kind::Varying)
             continue;
         const std::string name = firstName(declaration, row);
-        const auto known = builtInDeclarations().find(name);
-        if (known == builtInDeclarations().end() || known->second.kind != declaration.kind ||
-            known->second.type != declaration.type || known->second.count != declaration.count ||
-            known->second.block != declaration.block)
+        const auto [begin, end] = builtInDeclarations().equal_range(name);
+        const bool isKnown = std::any_of(begin, end, [&](const auto& known) {
+            return known.second.kind == declaration.kind && known.second.type == declaration.type &&
+                   known.second.count == declaration.count && known.second.block == declaration.block;
+        });
+        if (!isKnown)
             return Error{"snippet.interface", toString(LineOrigin{snippet.name, declaration.line}),
                          "'" + name + "' is not declared so in any snippet of this build",
                          "add it to pack.h or texture_role.h, and build again"};

@@ -92,8 +92,9 @@ std::size_t groupOf(const std::string& line) {
     if (line.starts_with("varying "))
         return 2;
     if (line.starts_with("uniform sampler"))
-        return 7;
-    constexpr std::string_view kBlocks[] = {"// frame:", "// lights:", "// material:", "// object:"};
+        return 8;
+    constexpr std::string_view kBlocks[] = {
+        "// frame:", "// lights:", "// material:", "// object:", "// skin:"};
     for (std::size_t block = 0; block < std::size(kBlocks); ++block)
         if (line.starts_with("uniform ") && line.find(kBlocks[block]) != std::string::npos)
             return 3 + block;
@@ -101,13 +102,13 @@ std::size_t groupOf(const std::string& line) {
 }
 
 std::string grouped(const std::string& declarations) {
-    std::array<std::string, 8> groups;
+    std::array<std::string, 9> groups;
     std::istringstream lines(declarations);
     for (std::string line; std::getline(lines, line);)
         groups[groupOf(line)] += line + "\n";
-    groups[3] += groups[4] + groups[5] + groups[6];
+    groups[3] += groups[4] + groups[5] + groups[6] + groups[7];
     std::string text;
-    for (const std::size_t group : {0, 1, 2, 3, 7})
+    for (const std::size_t group : {0, 1, 2, 3, 8})
         if (!groups[group].empty())
             text += (text.empty() ? "" : "\n") + groups[group];
     return text;

@@ -116,7 +116,7 @@ TEST(Compose, LocationsAndUnitsAreFixedAndUnique) {
         std::set<int> taken;
         const Interface interface = compose(p).interface;
         for (const Attribute& a : interface.attributes) {
-            EXPECT_TRUE(a.location >= 0 && a.location < 6) << a.name << " " << a.location;
+            EXPECT_TRUE(a.location >= 0 && a.location < 8) << a.name << " " << a.location;
             EXPECT_TRUE(taken.insert(a.location).second) << a.name << " in " << toName(p);
             EXPECT_EQ(locations.try_emplace(a.name, a.location).first->second, a.location);
         }
@@ -238,8 +238,8 @@ std::vector<std::string> kindsIn(const std::string& text) {
 }
 
 TEST(Compose, DeclarationsStandInGroups) {
-    const std::vector<std::string> order = {"attribute", "varying", "frame",   "lights",
-                                            "material",  "object",  "samplers"};
+    const std::vector<std::string> order = {"attribute", "varying", "frame", "lights",
+                                            "material",  "object",  "skin",  "samplers"};
     for (const Permutation& p : bases()) {
         const Composed program = compose(p);
         for (const std::string* text : {&program.vertex.text, &program.fragment.text}) {

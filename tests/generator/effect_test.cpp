@@ -130,13 +130,13 @@ TEST(Effect, FillsAllHooksInProgramsThatAreStrictGlsl) {
     const SnippetSet set = setWith("all", kAll);
     for (const char* name :
          {"all", "unlit+all", "ambient+all", "sh+all", "sun1+all", "sun2+vertexlight+all", "normal+sun1+all",
-          "basecolor.metalrough.normal.occlusion-packed+sh+reflection+sun1+punctual1+all", "mask+all",
-          "metalrough-separate.double+sun1+vc4+all", "metalrough+sun1+fp16+seed+all", "sun1+view-normal+all",
-          "basecolor+unlit+all", "blend+sun1+fast+workaround-facing.double+all"}) {
+          "skin3+sun1+all", "basecolor.metalrough.normal.occlusion-packed+sh+reflection+sun1+punctual1+all",
+          "mask+all", "metalrough-separate.double+sun1+vc4+all", "metalrough+sun1+fp16+seed+all",
+          "sun1+view-normal+all", "basecolor+unlit+all", "blend+sun1+fast+workaround-facing.double+all"}) {
         const Composed program = compose(canonical(name, set), set);
         for (const LintFinding& finding : lintProgram(program))
             ADD_FAILURE() << name << ": " << toString(finding);
-        EXPECT_TRUE(contains(program.vertex.text, "onVertex(aPosition)")) << name;
+        EXPECT_TRUE(contains(program.vertex.text, "onVertex(position)")) << name;
     }
     const Composed lit = compose(canonical("sun1+all", set), set);
     for (const char* call :

@@ -15,6 +15,7 @@ const Row kCostColumns = {"gpu",   "name",   "outcome", "fragment", "threads",  
 const Row kGoalColumns = {"id",
                           "gpu",
                           "permutation",
+                          "shader",
                           "goal instructions",
                           "goal threads",
                           "measured instructions",
@@ -99,8 +100,8 @@ std::vector<Goal> goalsFrom(const Table& table) {
     for (std::size_t i = 1; i < table.size(); ++i) {
         const Row& columns = table[i];
         const auto figure = [&](std::size_t column) { return std::stoi(columns.at(column)); };
-        goals.push_back(
-            {columns.at(0), columns.at(1), columns.at(2), figure(3), figure(4), figure(5), figure(6)});
+        goals.push_back({columns.at(0), columns.at(1), columns.at(2), columns.at(3), figure(4), figure(5),
+                         figure(6), figure(7)});
     }
     return goals;
 }
@@ -108,7 +109,7 @@ std::vector<Goal> goalsFrom(const Table& table) {
 Table toTable(const std::vector<Goal>& goals) {
     Table table{kGoalColumns};
     for (const Goal& goal : goals) {
-        Row& columns = table.emplace_back(Row{goal.id, goal.gpu, goal.name});
+        Row& columns = table.emplace_back(Row{goal.id, goal.gpu, goal.name, goal.shader});
         for (const int figure : {goal.goalInstructions, goal.goalThreads, goal.instructions, goal.threads})
             columns.push_back(std::to_string(figure));
     }
@@ -119,8 +120,9 @@ std::vector<Goal> measureGoals(std::vector<Goal> goals) {
     for (Goal& goal : goals) {
         const Permutation permutation = named(goal.name);
         const cli::Cost cost = priceOn(goal.gpu, {&permutation, 1}).front().cost;
-        goal.instructions = cost.fragment.instructions;
-        goal.threads = cost.fragment.threads;
+        const bool ofVertex = goal.shader == "vertex";
+        goal.instructions = ofVertex ? cost.vertexInstructions() : cost.fragment.instructions;
+        goal.threads = ofVertex ? cost.vertex.threads : cost.fragment.threads;
     }
     return goals;
 }

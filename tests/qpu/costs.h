@@ -29,6 +29,7 @@ std::string worse(const CostRow& before, const CostRow& after);
 /// A row of goals.tsv.
 struct Goal {
     std::string id, gpu, name;
+    std::string shader; ///< "fragment", or "vertex": with the coordinate shader, which a vertex pays for too.
     int goalInstructions, goalThreads;
     int instructions, threads; ///< As measured; 0 where it does not compile.
 

@@ -56,7 +56,7 @@ protected:
 
 TEST_F(Goals, MeasuredColumnsAreTrue) {
     const std::vector<Goal> written = goalsFrom(readTable(kFolder / "goals.tsv"));
-    ASSERT_EQ(written.size(), 34u);
+    ASSERT_EQ(written.size(), 46u);
     const std::vector<Goal> measured = measureGoals(written);
     for (std::size_t i = 0; i < written.size(); ++i) {
         EXPECT_EQ(written[i].instructions, measured[i].instructions) << written[i].id << kHowTo;
@@ -77,10 +77,10 @@ TEST(GoalTable, HasNoGoalThatIsMissed) {
 }
 
 TEST(GoalTable, AMissedGoalIsSeen) {
-    EXPECT_TRUE((Goal{"id", "vc4", "sun1", 100, 2, 100, 2}.reached()));
-    EXPECT_FALSE((Goal{"id", "vc4", "sun1", 100, 2, 101, 2}.reached()));
-    EXPECT_FALSE((Goal{"id", "vc4", "sun1", 100, 2, 90, 1}.reached()));
-    EXPECT_FALSE((Goal{"id", "vc4", "sun1", 100, 2, 0, 0}.reached()));
+    EXPECT_TRUE((Goal{"id", "vc4", "sun1", "fragment", 100, 2, 100, 2}.reached()));
+    EXPECT_FALSE((Goal{"id", "vc4", "sun1", "fragment", 100, 2, 101, 2}.reached()));
+    EXPECT_FALSE((Goal{"id", "vc4", "sun1", "fragment", 100, 2, 90, 1}.reached()));
+    EXPECT_FALSE((Goal{"id", "vc4", "sun1", "fragment", 100, 2, 0, 0}.reached()));
 }
 
 // What `frankenshader dump` writes for the name is what is measured.

@@ -30,7 +30,8 @@ const float* blockOf(const Values& values, Block block) {
     case Block::Material:
         return reinterpret_cast<const float*>(&values.material);
     case Block::Object:
-    case Block::User: // Of effects, which this program has none of.
+    case Block::Skin: // Of skins and effects, which this program has none of.
+    case Block::User:
         break;
     }
     return reinterpret_cast<const float*>(&values.object);

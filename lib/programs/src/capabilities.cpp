@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/capabilities.h"
 
+#include "franken/generator/pack.h"
 #include "franken/saved_state.h"
 #include "precision_probe.h"
 
@@ -32,6 +33,17 @@ int limitOf(const Gl& gl, GLenum name, int least) {
     return std::max<int>(limit, least);
 }
 
+/// What a vertex shader declares beside its palette: 32 vectors do for all but a few programs with effects or
+/// many lights, which fall down the ladder to vertices that the CPU moves.
+std::optional<Joints> roomiest(int uniformVectors) {
+    constexpr int kBeside = 32, kRows = 3;
+    std::optional<Joints> found;
+    for (const Joints joints : {Joints::UpTo32, Joints::UpTo64, Joints::UpTo256})
+        if (kRows * static_cast<int>(roomFor(joints)) + kBeside <= uniformVectors)
+            found = joints;
+    return found;
+}
+
 } // namespace
 
 Capabilities Capabilities::query(const Gl& gl) {
@@ -47,7 +59,8 @@ Capabilities Capabilities::query(const Gl& gl) {
             .wideIndices = core || contains(extensions, "GL_OES_element_index_uint"),
             .parallelCompile = contains(extensions, "GL_KHR_parallel_shader_compile"),
             .compilesForStaleTextures = renderer.starts_with("VC4") || renderer.starts_with("V3D"),
-            .precision = measuredPrecision(gl, "highp")};
+            .precision = measuredPrecision(gl, "highp"),
+            .joints = roomiest(limitOf(gl, GL_MAX_VERTEX_UNIFORM_VECTORS, 128))};
 }
 
 } // namespace franken

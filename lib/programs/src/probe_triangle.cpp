@@ -15,12 +15,14 @@ struct Vertex {
     std::array<float, 4> tangent{1, 0, 0, 1};
     std::array<float, 2> uv;
     std::array<std::uint16_t, 4> color{65'535, 65'535, 65'535, 65'535};
+    std::array<float, 4> joints{0, 3, 6, 9}, weights{0.25f, 0.25f, 0.25f, 0.25f};
 };
 
 /// By attribute location; both texture coordinates are the same.
 constexpr std::array<std::size_t, kAttributeFormats.size()> kOffsets = {
     offsetof(Vertex, position), offsetof(Vertex, normal), offsetof(Vertex, tangent),
-    offsetof(Vertex, uv),       offsetof(Vertex, uv),     offsetof(Vertex, color)};
+    offsetof(Vertex, uv),       offsetof(Vertex, uv),     offsetof(Vertex, color),
+    offsetof(Vertex, joints),   offsetof(Vertex, weights)};
 
 constexpr std::array<Vertex, 3> verticesOf(ProbeTriangle::Extent extent) {
     if (extent == ProbeTriangle::Extent::None)

@@ -90,6 +90,10 @@ ProgramProbe::ProgramProbe(const Gl& gl, TextureReset& reset, Log log, bool ownS
     m_lightsFp16.edit() = m_lights.values();
     fitToFp16(m_lightsFp16.edit(), 2);
     m_object.edit() = {kIdentity4, kPoint, kIdentity3, kIdentity3};
+    constexpr std::array<Float4, 3> kAtRest = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}};
+    std::size_t row = 0;
+    for (Float4& values : m_skin.edit().joints)
+        values = kAtRest[row++ % kAtRest.size()];
 }
 
 std::vector<bool> ProgramProbe::draw(std::span<const Draw> draws, const DrawTarget* target) {
@@ -178,7 +182,8 @@ void ProgramProbe::drawOne(const Draw& draw, GLint x) {
     m_material.edit() = packMaterial(kMaterial, draw.permutation->brdf, 1, draw.permutation->precision);
     m_state.useProgram(draw.program->name());
     const auto& lights = draw.permutation->precision == Precision::Fp16 ? m_lightsFp16 : m_lights;
-    draw.program->feed({m_frame.view(), lights.view(), m_material.view(), m_object.view(), m_effect.view()});
+    draw.program->feed(
+        {m_frame.view(), lights.view(), m_material.view(), m_object.view(), m_skin.view(), m_effect.view()});
     m_state.enableArrays(draw.program->attributes());
     shape.draw(m_state, draw.program->attributes());
 }

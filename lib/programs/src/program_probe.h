@@ -67,6 +67,7 @@ private:
     UniformBlock<LightsBlock> m_lights, m_lightsFp16;
     UniformBlock<MaterialBlock> m_material;
     UniformBlock<ObjectBlock> m_object;
+    UniformBlock<SkinBlock> m_skin; ///< All joints where they were bound.
     UniformBlock<EffectBlock> m_effect;
     bool m_ownSnippets;
     bool m_saidThatItIsBlind = false;

@@ -1,9 +1,11 @@
 #version 100
 // FrankenShader
-//   transform/position.effect: 1
+//   transform/moved: 1
+//   transform/effect: 1
+//   transform/position.moved: 1
 //   frame/normal: 1
 //   frame/normal_varying: 1
-//   frame/to_camera.effect: 1
+//   frame/to_camera.moved: 1
 //   frame/to_camera_varying: 1
 //
 // VERTEX SHADER
@@ -27,7 +29,8 @@ vec3 onVertex(vec3 position) {
 }
 
 void main() {
-  vec3 position = onVertex(aPosition);
+  vec3 position = aPosition;
+  position = onVertex(position);
   gl_Position = uModelViewProjection * vec4(position, 1.0);
 
   vec3 normal = normalize(uNormalMatrix * aNormal);

@@ -67,6 +67,7 @@ const void* addressOf(const Blocks& blocks, Block block) {
         return &blocks.material;
     case Block::Object:
         return &blocks.object;
+    case Block::Skin:
     case Block::User:
         break;
     }

@@ -26,9 +26,10 @@ enum class Block : std::uint8_t {
     Lights,   ///< With suns, punctual lights, ambient light or exposure.
     Material, ///< With the material.
     Object,   ///< With every object drawn.
+    Skin,     ///< With the pose of every skinned object, or part of one.
     User,     ///< When the application says so: the values of its effect (effect.h).
 };
-inline constexpr std::size_t kBlocks = 5; ///< Values of Block.
+inline constexpr std::size_t kBlocks = 6; ///< Values of Block.
 
 std::string_view toText(Block block); ///< "material": one word, for tables and JSON.
 
@@ -73,7 +74,7 @@ struct Interface {
     int lights = 0; ///< Suns and punctual lights that the fragment shader adds up.
 };
 
-/// aPosition 0, aNormal 1, aTangent 2, aUv0 3, aUv1 4, aColor 5; 6 and 7 are kept for joints and weights.
+/// aPosition 0, aNormal 1, aTangent 2, aUv0 3, aUv1 4, aColor 5, aJoints 6, aWeights 7.
 /// -1 for a name that is no attribute.
 int attributeLocation(std::string_view name);
 

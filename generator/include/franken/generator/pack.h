@@ -189,6 +189,18 @@ struct ObjectBlock {
     Float9 overlay;      ///< Overlays alone: (x, y, 1) in their units to clip space
 };
 
+/// The most joints of a program's palette (Joints).
+inline constexpr std::size_t kMaxJoints = 256;
+
+/// The palette of a skin: for each joint the rows of its matrix, from where the mesh was bound to the space
+/// that ObjectBlock::model starts from. aJoints says where a joint's rows begin.
+struct SkinBlock {
+    std::array<Float4, 3 * kMaxJoints> joints;
+};
+
+/// How many joints a program's palette has room for.
+std::size_t roomFor(Joints joints);
+
 /// The values of an effect, in the order in which its text declares them; they mean what it says.
 struct EffectBlock {
     std::array<Float4, kEffectValues> values; ///< As the text declares them.

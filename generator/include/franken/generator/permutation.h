@@ -85,6 +85,14 @@ enum class Reflection : std::uint8_t {
     Lookup, ///< Prefiltered levels in one texture, and how much is reflected in another.
 };
 
+/// How many joints' matrices the vertex shader's palette has room for: what the GPU's uniforms hold, and what
+/// is uploaded for each draw.
+enum class Joints : std::uint8_t {
+    UpTo32,  ///< 96 vectors: within the least that OpenGL ES 2.0 allows.
+    UpTo64,  ///< 192
+    UpTo256, ///< 768
+};
+
 /// Where the vectors between surface, eye and suns are computed. Punctual lights are always per pixel.
 enum class LightVectors : std::uint8_t {
     PerPixel,  ///< Exact.
@@ -147,6 +155,7 @@ struct EffectChoice {
 /// opaque, untextured, unlit-by-anything surface; each member's first value is its default.
 struct Permutation {
     static constexpr std::uint8_t kMaxLights = 4; ///< Suns, and punctual lights, in one program.
+    static constexpr std::uint8_t kMaxInfluences = 4;
 
     Program program = Program::Surface;
 
@@ -167,6 +176,9 @@ struct Permutation {
     UvStream emissiveUv = UvStream::Uv0;
     bool uv0Transform = false; ///< Stream 0 passes through a KHR_texture_transform matrix.
     bool uv1Transform = false; ///< The same for stream 1.
+
+    std::uint8_t influences = 0; ///< Joints that move a vertex in the vertex shader, 0 to kMaxInfluences.
+    Joints joints = Joints::UpTo32;
 
     Shading shading = Shading::Lit;
     Brdf brdf = Brdf::Gltf;

@@ -5,6 +5,8 @@
 #include "franken/generator/permutation.h"
 #include "franken/gl.h"
 
+#include <optional>
+
 namespace FRANKEN_API franken {
 
 /// Limits and extensions of a context. A default-constructed one has the minimum that OpenGL ES 2.0
@@ -23,6 +25,9 @@ struct Capabilities {
     /// GL's own answer is not used: Mesa's lima reports 23 bits and GL_FRAGMENT_PRECISION_HIGH, and has 10
     /// bits.
     Precision precision = Precision::Fp32;
+
+    /// The largest palette of joints that programs are given; none where the CPU moves the vertices of skins.
+    std::optional<Joints> joints = Joints::UpTo32;
 
     /// Queries the context, and draws a pixel into a target of its own. Call it once, not in a frame. It
     /// leaves GL's state as it was.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The vector to the eye from where an effect put the vertex, in world space, not normalised.
+// The vector to the eye from where joints or an effect put the vertex, in world space, not normalised.
 //! declarations
 uniform mat4 uModel; // object: model space to world space
 uniform vec3 uCameraPosition; // frame: world space

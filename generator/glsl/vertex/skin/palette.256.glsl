@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+// The joints of a skin: 256 at most.
+//! declarations
+uniform vec4 uJoints[768]; // skin: three rows of a matrix for each joint, from the bind pose to model space
