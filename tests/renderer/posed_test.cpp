@@ -112,7 +112,7 @@ TEST_P(PosedTest, RiggedSimple) { compareWithViewer("RiggedSimple"); }
 TEST_P(PosedTest, MorphedCube) { compareWithViewer("AnimatedMorphCube"); }
 TEST_P(PosedTest, FlatMorph) { compareWithViewer("SimpleMorph"); }
 // Of Animation_Skin_08, "b" and "loop" are not compared: they show two back faces, which are lit by their own
-// normals here, and black in the viewer.
+// normals here, and black in the viewer, which turns flat normals that face the eye already once more.
 TEST_P(PosedTest, PlainMeshesOnJoints) {
     compareWithViewer("Animation_Skin_05");
     compareWithViewer("Animation_Skin_08");

@@ -38,12 +38,12 @@ TEST(TextureBytes, AreThoseOfAllLevels) {
 TEST(Split, KeepsTrianglesAndTheirOrder) {
     const MeshData whole = interleave(sphere(10));
     for (const std::size_t most : {3u, 4u, 50u, 1000u}) {
-        const std::vector<MeshData> parts = split(whole, most);
+        const std::vector<MeshData> parts = split(whole, {most});
         EXPECT_EQ(unrolled(parts), unrolled({whole})) << most;
         for (const MeshData& part : parts)
             EXPECT_LE(part.vertices.size() / static_cast<std::size_t>(part.format.stride), most);
     }
-    EXPECT_EQ(split(whole, 1000).size(), 1u);
+    EXPECT_EQ(split(whole, {1000}).size(), 1u);
 }
 
 TEST(Interleave, HoldsWhatThePrimitiveHas) {

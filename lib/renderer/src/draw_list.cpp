@@ -22,14 +22,20 @@ bool isVisible(const Place& place, const Drawable& drawable) {
     return place.visible && (node == nullptr ? drawable.visible : node->visible);
 }
 
+void updatePalette(Object& object) {
+    const Outline& outline = object.place->model->outline;
+    const std::vector<NodeWorld>& posed = object.place->nodes;
+    paletteOf(outline.scene.skins[static_cast<std::size_t>(object.drawable->skin)],
+              posed.empty() ? outline.rest : posed, object.palette);
+}
+
 /// From the object to where the model stands. A skin's joints stand in for the node.
-glm::dmat4 posedWorld(Object& object, const NodeWorld& node) {
+glm::dmat4 worldOf(const Object& object, const NodeWorld* node) {
     const Drawable& drawable = *object.drawable;
-    if (drawable.skin == kNone)
-        return node.matrix * drawable.offset;
-    const std::vector<Skin>& skins = object.place->model->outline.scene.skins;
-    paletteOf(skins[static_cast<std::size_t>(drawable.skin)], object.place->nodes, object.palette);
-    return glm::translate(glm::dmat4(1.0), object.palette.origin);
+    if (node == nullptr)
+        return drawable.world;
+    return drawable.skin == kNone ? node->matrix * drawable.offset
+                                  : glm::translate(glm::dmat4(1.0), object.palette.origin);
 }
 
 /// What follows from where the object stands, whatever the camera. The node says how a skinned mesh winds,
@@ -37,17 +43,19 @@ glm::dmat4 posedWorld(Object& object, const NodeWorld& node) {
 void settle(Object& object, const glm::dmat3& skyFromWorld) {
     const Drawable& drawable = *object.drawable;
     const NodeWorld* const node = nodeOf(*object.place, drawable);
-    const glm::dmat4 world =
-        object.place->world * (node == nullptr ? drawable.world : posedWorld(object, *node));
+    if (drawable.skin != kNone)
+        updatePalette(object);
+    if (object.mesh->isSkinned())
+        object.paletteSerial = newSerials(object.mesh->parts());
+    const glm::dmat4 world = object.place->world * worldOf(object, node);
     const bool isMirrored = node == nullptr
                                 ? drawable.mirrored
                                 : glm::determinant(glm::dmat3(node->matrix * drawable.offset)) < 0;
     const bool isTurnedInsideOut = glm::determinant(glm::dmat3(object.place->world)) < 0;
     object.mirrored = isMirrored != isTurnedInsideOut;
-    object.bounds =
-        boundsOf(isDeformed(object) ? boundsOf(*object.primitive->deformation, deformingOf(object))
-                                    : object.primitive->bounds,
-                 world);
+    object.bounds = boundsOf(isPosed(object) ? boundsOf(*object.primitive->deformation, deformingOf(object))
+                                             : object.primitive->bounds,
+                             world);
     object.position = glm::dvec3(world[3]);
     placeObject(object.block, world, drawable.skin == kNone ? object.mirrored : isTurnedInsideOut,
                 skyFromWorld);
@@ -57,12 +65,25 @@ void settle(Object& object, const glm::dmat3& skyFromWorld) {
 
 } // namespace
 
+bool isSkinnedByProgram(const Object& object) {
+    static const int kJointsLocation = attributeLocation("aJoints");
+    return object.mesh->isSkinned() && (object.material->program->attributes() >> kJointsLocation & 1U) != 0;
+}
+
 Deforming deformingOf(const Object& object) {
+    const Place& place = *object.place;
     const Drawable& drawable = *object.drawable;
-    const NodeWorld& node = *nodeOf(*object.place, drawable);
-    return {.weights = object.place->pose.nodes[static_cast<std::size_t>(drawable.nodeIndex)].weights,
-            .joints = object.palette.joints,
-            .mirrored = glm::determinant(glm::dmat3(node.matrix * drawable.offset)) < 0};
+    const NodeWorld* const node = nodeOf(place, drawable);
+    Deforming deforming{.joints = object.palette.joints,
+                        .mirrored = node == nullptr
+                                        ? drawable.mirrored
+                                        : glm::determinant(glm::dmat3(node->matrix * drawable.offset)) < 0};
+    if (drawable.nodeIndex != kNone) {
+        const auto index = static_cast<std::size_t>(drawable.nodeIndex);
+        deforming.weights = node == nullptr ? place.model->outline.scene.nodes[index].rest.weights
+                                            : place.pose.nodes[index].weights;
+    }
+    return deforming;
 }
 
 void DrawList::rebuild(const std::vector<Model*>& shown) {

@@ -23,7 +23,8 @@ struct Object {
     GpuMaterial* material;
     unsigned order;                   ///< By model, material and mesh.
     unsigned movements = 0;           ///< Those of its place that the members above are for.
-    Palette palette = {};             ///< Of a skin that is posed.
+    Palette palette = {};             ///< Of a skin.
+    std::uint64_t paletteSerial = 0;  ///< Of the palette of the mesh's first part; the others' follow.
     const PosedMesh* posed = nullptr; ///< What is drawn in place of the mesh; may be null.
     bool isPlaced = false;            ///< They are for any, and for the sky's rotation.
     bool mirrored = false;
@@ -31,12 +32,15 @@ struct Object {
 };
 
 /// Whether the place has a pose that can deform the object.
-inline bool isDeformed(const Object& object) {
+inline bool isPosed(const Object& object) {
     return object.primitive->deformation && !object.place->nodes.empty() &&
            object.drawable->nodeIndex != kNone;
 }
 
-/// What that pose makes of its vertices.
+/// Whether the object's program moves its vertices to where their joints are.
+bool isSkinnedByProgram(const Object& object);
+
+/// What its pose, or rest, makes of its vertices.
 Deforming deformingOf(const Object& object);
 
 /// The objects of all models that are shown, in their order of drawing.
@@ -64,13 +68,13 @@ public:
     /// The distance from the eye that no corner of a visible object's bounds exceeds.
     double farthest(const glm::dvec3& eye) const;
 
-    /// Calls the function with each visible object that a pose deforms.
+    /// Calls the function with each visible object whose vertices a pose can move.
     template<typename Function>
     void forEachDeformed(Function function) {
         if (m_canDeform)
             for (std::vector<Object>* objects : {&m_opaque, &m_blended})
                 for (Object& object : *objects)
-                    if (object.visible && isDeformed(object))
+                    if (object.visible && object.primitive->deformation)
                         function(object);
     }
 

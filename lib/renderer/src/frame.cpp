@@ -160,25 +160,46 @@ Result<void> Frame::moveVertices() {
     return first.take();
 }
 
+// What a program moves to its joints is moved here by morph targets alone, and what is at rest already by
+// nothing.
 Result<void> Frame::moveVertices(Object& object) {
+    object.posed = nullptr;
+    Deforming pose = deformingOf(object);
+    const bool byProgram = isSkinnedByProgram(object);
+    if (byProgram) {
+        pose.joints = {};
+        if (std::all_of(pose.weights.begin(), pose.weights.end(), [](float weight) { return weight == 0; }))
+            return {};
+    } else if (!object.mesh->isSkinned() && !isPosed(object)) {
+        return {};
+    }
     const Place& place = *object.place;
     GpuScene& scene = *place.model->gpu;
     const auto drawable = static_cast<std::size_t>(object.drawable - scene.drawables.data());
-    PosedMesh& posed = scene.posed[{place.id, drawable}];
-    object.posed = &posed;
-    if (posed.pose == place.poses)
-        return {};
+    return moveVertices(object, pose, scene.posed[{place.id, drawable}]);
+}
+
+Result<void> Frame::moveVertices(Object& object, const Deforming& pose, PosedMesh& posed) {
     if (posed.vertices.empty()) {
-        object.posed = nullptr;
         Result<PosedMesh> made = checkedUpload(m_device, [&] { return object.mesh->makePosed(m_device); });
         if (!made)
             return made.error();
         posed = *std::move(made);
-        object.posed = &posed;
     }
-    deform(*object.primitive->deformation, deformingOf(object), m_moved);
+    object.posed = &posed;
+    const bool withJoints = !pose.joints.empty();
+    if (posed.source && posed.source->withJoints == withJoints &&
+        (posed.source->pose == object.place->poses ||
+         (!withJoints && std::equal(pose.weights.begin(), pose.weights.end(), posed.source->weights.begin(),
+                                    posed.source->weights.end()))))
+        return {};
+    deform(*object.primitive->deformation, pose, m_moved);
     object.mesh->upload(m_device, m_moved, posed);
-    posed.pose = place.poses;
+    if (!posed.source)
+        posed.source.emplace();
+    posed.source->pose = object.place->poses;
+    posed.source->withJoints = withJoints;
+    posed.source->weights.assign(pose.weights.begin(), pose.weights.end());
     return {};
 }
 
@@ -203,7 +224,7 @@ void Frame::use(ShaderProgram& program, const BlockViews& blocks) {
 }
 
 void Frame::bind(const GpuMaterial& material) {
-    use(*material.program, {m_frame.view(), m_lights.view(), material.block.view(), {}});
+    use(*material.program, {m_frame.view(), m_lights.view(), material.block.view()});
     for (const Sampler& sampler : material.program->interface().samplers)
         if (const auto unit = static_cast<std::size_t>(sampler.unit); isMaterialsUnit(unit))
             m_device.state.bindTexture(static_cast<unsigned>(unit), GL_TEXTURE_2D, material.textures[unit]);
@@ -211,6 +232,8 @@ void Frame::bind(const GpuMaterial& material) {
 }
 
 void Frame::drawOne(const Object& object) {
+    if (object.mesh->isSkinned() && !isSkinnedByProgram(object) && object.posed == nullptr)
+        return; // There was no room for its moved vertices.
     const GpuMaterial& material = *object.material;
     if (m_boundMaterial != &material)
         bind(material);
@@ -220,7 +243,26 @@ void Frame::drawOne(const Object& object) {
         program.feed(Block::User, object.place->effect ? object.place->effect->view() : m_effect.view());
     m_device.state.setCulling(!material.doubleSided || material.state.blend);
     m_device.state.setFrontFace(object.mirrored ? GL_CW : GL_CCW);
-    object.mesh->draw(m_device.gl, m_device.state, program.attributes(), material.plan.uvSets, object.posed);
+    for (std::size_t part = 0; part < object.mesh->parts(); ++part) {
+        if (isSkinnedByProgram(object))
+            feedPalette(program, object, part);
+        object.mesh->draw(part, m_device.gl, m_device.state, program.attributes(), material.plan.uvSets,
+                          object.posed);
+    }
+}
+
+void Frame::feedPalette(ShaderProgram& program, const Object& object, std::size_t part) {
+    const std::uint64_t serial = object.paletteSerial + part;
+    if (std::exchange(m_skinSerial, serial) != serial) {
+        Float4* row = m_skin.joints.data();
+        const std::vector<glm::mat4x3>& joints = object.palette.joints;
+        for (const std::uint32_t joint : object.mesh->jointsOf(part)) {
+            const glm::mat3x4 rows = glm::transpose(joints.empty() ? glm::mat4x3(1.0f) : joints[joint]);
+            for (int axis = 0; axis < 3; ++axis)
+                std::copy_n(glm::value_ptr(rows[axis]), 4, (row++)->begin());
+        }
+    }
+    program.feed(Block::Skin, {reinterpret_cast<const float*>(&m_skin), serial});
 }
 
 // Through a transparent surface its other side is seen, which therefore comes first.
@@ -242,7 +284,7 @@ void Frame::drawOpaque() {
 void Frame::drawSkybox() {
     if (!m_content.skybox.isShown() || !m_skyboxProgram)
         return;
-    use(*m_skyboxProgram, {m_frame.view(), m_lights.view(), {}, {}});
+    use(*m_skyboxProgram, {m_frame.view(), m_lights.view()});
     m_content.skybox.draw(m_device.state);
 }
 

@@ -55,9 +55,11 @@ private:
     void clear(const DrawTarget& target);
     void use(ShaderProgram& program, const BlockViews& blocks);
     void bind(const GpuMaterial& material);
-    /// Of what poses deform and have changed.
+    /// Of what poses have changed and programs do not move.
     Result<void> moveVertices();
     Result<void> moveVertices(Object& object);
+    Result<void> moveVertices(Object& object, const Deforming& pose, PosedMesh& posed);
+    void feedPalette(ShaderProgram& program, const Object& object, std::size_t part);
     void drawOne(const Object& object);
     void drawSides(const Object& object);
     void drawOpaque();
@@ -77,6 +79,8 @@ private:
     UniformBlock<FrameBlock> m_frame;
     UniformBlock<LightsBlock> m_lights;
     UniformBlock<EffectBlock> m_effect;           ///< Where a place has no values of its own.
+    SkinBlock m_skin = {};                        ///< Of the part of a mesh that was drawn last.
+    std::uint64_t m_skinSerial = 0;               ///< Of the block.
     const GpuMaterial* m_boundMaterial = nullptr; ///< Whose program and textures are bound; null: unknown.
     FrameCounters m_counters;
     Vertices m_moved; ///< Of the last object whose vertices were moved.

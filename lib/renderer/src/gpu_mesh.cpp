@@ -2,7 +2,11 @@
 #include "gpu_mesh.h"
 
 #include "franken/attribute_format.h"
+#include "franken/deform.h"
+#include "franken/generator/pack.h"
+#include "franken/material.h"
 #include "gpu_buffer.h"
+#include "joint_influences.h"
 
 #include <algorithm>
 #include <cassert>
@@ -62,9 +66,24 @@ struct Interleaving {
     }
 };
 
+/// By their index in the skin.
+void writeJoints(const Deformation& deformation, MeshData& data) {
+    const std::size_t each = deformation.influencesPerVertex;
+    std::uint8_t* to = data.vertices.data();
+    for (std::size_t first = 0; first < deformation.influences.size(); first += each) {
+        JointInfluences influences;
+        for (std::size_t i = 0; i < each; ++i) {
+            influences.joints[i] = static_cast<float>(deformation.influences[first + i].joint);
+            influences.weights[i] = deformation.influences[first + i].weight;
+        }
+        store(influences, data.format, to);
+        to += data.format.stride;
+    }
+}
+
 } // namespace
 
-MeshData interleave(const Primitive& primitive) {
+MeshData interleave(const Primitive& primitive, bool skinned) {
     MeshData data;
     VertexFormat& format = data.format;
     format.position = reserve(format, true, sizeof(glm::vec3));
@@ -73,39 +92,18 @@ MeshData interleave(const Primitive& primitive) {
     for (std::size_t set = 0; set < format.uv.size(); ++set)
         format.uv[set] = reserve(format, !primitive.uv[set].empty(), sizeof(glm::vec2));
     format.color = reserve(format, !primitive.colors.empty(), sizeof(Color));
+    format.joints = reserve(format, skinned, sizeof(JointInfluences::joints));
+    format.weights = reserve(format, skinned, sizeof(JointInfluences::weights));
 
     data.vertices.resize(primitive.positions.size() * static_cast<std::size_t>(format.stride));
-    Interleaving{format, data.vertices, data.sources}.write(primitive);
+    Interleaving out{format, data.vertices, data.sources};
+    out.write(primitive);
+    if (skinned) {
+        out.write(primitive.deformation->bind);
+        writeJoints(*primitive.deformation, data);
+    }
     data.indices = primitive.indices;
     return data;
-}
-
-std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices) {
-    assert(maxVertices >= 3);
-    const auto stride = static_cast<std::size_t>(whole.format.stride);
-    constexpr std::uint32_t kUnseen = ~std::uint32_t{0};
-    std::vector<std::uint32_t> place(whole.vertices.size() / stride, kUnseen);
-    std::vector<MeshData> parts;
-    for (std::size_t triangle = 0; triangle + 2 < whole.indices.size(); triangle += 3) {
-        if (parts.empty() || parts.back().sources.size() + 3 > maxVertices) {
-            if (!parts.empty())
-                for (const std::uint32_t vertex : parts.back().sources)
-                    place[vertex] = kUnseen;
-            parts.push_back({whole.format, {}, {}});
-        }
-        MeshData& part = parts.back();
-        for (std::size_t corner = triangle; corner < triangle + 3; ++corner) {
-            const std::uint32_t vertex = whole.indices[corner];
-            if (place[vertex] == kUnseen) {
-                place[vertex] = static_cast<std::uint32_t>(part.sources.size());
-                part.sources.push_back(vertex);
-                const auto from = whole.vertices.begin() + static_cast<std::ptrdiff_t>(vertex * stride);
-                part.vertices.insert(part.vertices.end(), from, from + static_cast<std::ptrdiff_t>(stride));
-            }
-            part.indices.push_back(place[vertex]);
-        }
-    }
-    return parts;
 }
 
 namespace {
@@ -130,16 +128,20 @@ MeshPart partOf(MeshData data) {
             .indices = wide ? bytesAs<std::uint32_t>(data.indices) : bytesAs<std::uint16_t>(data.indices),
             .count = static_cast<GLsizei>(data.indices.size()),
             .indexType = static_cast<GLenum>(wide ? GL_UNSIGNED_INT : GL_UNSIGNED_SHORT),
-            .sources = std::move(data.sources)};
+            .sources = std::move(data.sources),
+            .joints = std::move(data.joints)};
 }
 
 } // namespace
 
 std::vector<MeshPart> partsOf(const Primitive& primitive, const Capabilities& capabilities) {
-    MeshData whole = interleave(primitive);
+    const bool skinned = capabilities.joints && isForVertexShader(primitive);
+    const std::size_t vertices =
+        capabilities.wideIndices ? primitive.positions.size() + 3 : GpuMesh::kMaxShortVertices;
+    MeshData whole = interleave(primitive, skinned);
     std::vector<MeshPart> parts;
-    if (primitive.positions.size() > GpuMesh::kMaxShortVertices && !capabilities.wideIndices)
-        for (MeshData& part : split(whole, GpuMesh::kMaxShortVertices))
+    if (skinned || primitive.positions.size() > vertices)
+        for (MeshData& part : split(whole, {vertices, skinned ? roomFor(*capabilities.joints) : kMaxJoints}))
             parts.push_back(partOf(std::move(part)));
     else
         parts.push_back(partOf(std::move(whole)));
@@ -165,7 +167,8 @@ Result<void> MeshUpload::beginBuffer(Device& device) {
                                   .count = part.count,
                                   .indexType = part.indexType,
                                   .staging = part.deforms ? part.vertices : std::vector<std::uint8_t>(),
-                                  .sources = std::move(part.sources)});
+                                  .sources = std::move(part.sources),
+                                  .joints = std::move(part.joints)});
     }
     Result<BufferUpload> begun =
         BufferUpload::begin(device.gl, m_ofIndices ? GL_ELEMENT_ARRAY_BUFFER : GL_ARRAY_BUFFER,
@@ -202,6 +205,8 @@ void GpuMesh::setPointers(GlState& state, unsigned attributes, const std::array<
         m_format.uv[static_cast<std::size_t>(uvSets[0])],
         m_format.uv[static_cast<std::size_t>(uvSets[1])],
         m_format.color,
+        m_format.joints,
+        m_format.weights,
     };
     for (std::size_t location = 0; location < offsets.size(); ++location) {
         if ((attributes >> location & 1u) == 0)
@@ -213,20 +218,17 @@ void GpuMesh::setPointers(GlState& state, unsigned attributes, const std::array<
     }
 }
 
-void GpuMesh::draw(const Gl& gl, GlState& state, unsigned attributes, const std::array<int, 2>& uvSets,
-                   const PosedMesh* posed) const {
+void GpuMesh::draw(std::size_t part, const Gl& gl, GlState& state, unsigned attributes,
+                   const std::array<int, 2>& uvSets, const PosedMesh* posed) const {
     const unsigned layout =
         attributes | static_cast<unsigned>(uvSets[0]) << 8 | static_cast<unsigned>(uvSets[1]) << 9;
-    for (std::size_t i = 0; i < m_parts.size(); ++i) {
-        const Part& part = m_parts[i];
-        const GLuint vertices = (posed == nullptr ? part.vertices : posed->vertices[i]).name();
-        state.bindIndices(part.indices.name());
-        if (state.changesPointers(vertices, layout)) {
-            state.bindVertices(vertices);
-            setPointers(state, attributes, uvSets);
-        }
-        gl.DrawElements(GL_TRIANGLES, part.count, part.indexType, nullptr);
+    const GLuint vertices = (posed == nullptr ? m_parts[part].vertices : posed->vertices[part]).name();
+    state.bindIndices(m_parts[part].indices.name());
+    if (state.changesPointers(vertices, layout)) {
+        state.bindVertices(vertices);
+        setPointers(state, attributes, uvSets);
     }
+    gl.DrawElements(GL_TRIANGLES, m_parts[part].count, m_parts[part].indexType, nullptr);
 }
 
 Result<PosedMesh> GpuMesh::makePosed(Device& device) const {

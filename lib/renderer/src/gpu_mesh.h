@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace franken {
@@ -19,6 +20,7 @@ struct VertexFormat {
     int stride = 0;
     int position = 0, normal = -1, tangent = -1, color = -1;
     std::array<int, 2> uv{-1, -1}; ///< TEXCOORD_0 and TEXCOORD_1
+    int joints = -1, weights = -1; ///< What has them is as it was bound, and else as it is at rest.
 };
 
 /// A primitive, or a part of one, as a vertex and an index buffer hold it.
@@ -27,12 +29,21 @@ struct MeshData {
     std::vector<std::uint8_t> vertices;
     std::vector<std::uint32_t> indices;
     std::vector<std::uint32_t> sources = {}; ///< Of a part: its vertices, by their index in the primitive.
+    std::vector<std::uint32_t> joints = {};  ///< Of a part: its palette, by their index in the skin.
 };
 
-MeshData interleave(const Primitive& primitive);
+/// `skinned`: with joints, for isForVertexShader().
+MeshData interleave(const Primitive& primitive, bool skinned = false);
 
-/// The same triangles in parts of at most `maxVertices` (3 and up) vertices each.
-std::vector<MeshData> split(const MeshData& whole, std::size_t maxVertices);
+/// What a part has room for.
+struct PartLimits {
+    std::size_t vertices;    ///< 3 and up
+    std::size_t joints = 12; ///< As many as move a triangle, and up
+};
+
+/// The same triangles in parts, in whose vertices joints are those of the part's own palette: where in it
+/// their rows begin.
+std::vector<MeshData> split(const MeshData& whole, PartLimits limits);
 
 /// What one draw takes, as buffers hold it. Needs no GL.
 struct MeshPart {
@@ -42,19 +53,27 @@ struct MeshPart {
     GLenum indexType = GL_UNSIGNED_SHORT;
     bool deforms = false;                    ///< Its vertices will be needed again.
     std::vector<std::uint32_t> sources = {}; ///< As those of MeshData; empty for a whole primitive.
+    std::vector<std::uint32_t> joints = {};  ///< As those of MeshData; empty where no joint moves it.
 
     std::size_t bytes() const { return vertices.size() + indices.size(); }
 };
 
 /// A primitive as one part, or several. Indices are 16 bits wide where that is enough; beyond
-/// kMaxShortVertices they are 32 bits wide, or the primitive is split, as the context has it.
+/// kMaxShortVertices they are 32 bits wide, or the primitive is split, as the context has it; so it is where
+/// it has more joints than a palette of the context.
 std::vector<MeshPart> partsOf(const Primitive& primitive, const Capabilities& capabilities);
 
 /// The vertices of a primitive in the pose of one place, part by part.
 struct PosedMesh {
     std::vector<GlBuffer> vertices = {};
     std::vector<MemoryLease> memory = {};
-    unsigned pose = 0; ///< Place::poses; 0: none yet.
+    /// What the vertices are of. Morph targets alone: where a program moves them on to their joints.
+    struct Source {
+        unsigned pose = 0; ///< Place::poses
+        bool withJoints = false;
+        std::vector<float> weights = {};
+    };
+    std::optional<Source> source = {}; ///< None yet.
 };
 
 /// A primitive's buffers.
@@ -63,11 +82,17 @@ public:
     /// 16-bit indices up to 65,534: where primitive restart is always on, as in WebGL 2, 65,535 is no vertex.
     static constexpr std::size_t kMaxShortVertices = 65'535;
 
-    /// Draws with the program in use, whose attribute arrays (those and no others) are enabled. uvSets: which
-    /// TEXCOORD_n is fed to each UV stream. `posed`: the vertices to draw in place of those at rest; may be
-    /// null.
-    void draw(const Gl& gl, GlState& state, unsigned attributes, const std::array<int, 2>& uvSets,
-              const PosedMesh* posed = nullptr) const;
+    std::size_t parts() const { return m_parts.size(); }
+    /// Whether its vertices are as they were bound, and have joints.
+    bool isSkinned() const { return m_format.joints >= 0; }
+    /// The palette of a part: indices into the skin's joints.
+    std::span<const std::uint32_t> jointsOf(std::size_t part) const { return m_parts[part].joints; }
+
+    /// Draws a part with the program in use, whose attribute arrays (those and no others) are enabled.
+    /// uvSets: which TEXCOORD_n is fed to each UV stream. `posed`: the vertices to draw in place of the
+    /// mesh's own; may be null.
+    void draw(std::size_t part, const Gl& gl, GlState& state, unsigned attributes,
+              const std::array<int, 2>& uvSets, const PosedMesh* posed) const;
 
     /// Room for the vertices in another pose; only of a primitive that deforms. Fails with "memory.budget"
     /// and "gl.object".
@@ -84,6 +109,7 @@ private:
         GLenum indexType = GL_UNSIGNED_SHORT;
         std::vector<std::uint8_t> staging = {};  ///< Vertices, of what deforms: those of the last upload().
         std::vector<std::uint32_t> sources = {}; ///< As those of MeshData.
+        std::vector<std::uint32_t> joints = {};  ///< As those of MeshData.
     };
 
     void setPointers(GlState& state, unsigned attributes, const std::array<int, 2>& uvSets) const;

@@ -18,6 +18,7 @@ Outline outlineOf(const Scene& scene) {
     outline.scene.skins = scene.skins;
     for (const Instance& instance : scene.instances)
         outline.nodes.push_back(instance.name);
+    worldsOf(scene, restPose(scene), outline.rest);
     return outline;
 }
 

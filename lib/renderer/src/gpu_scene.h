@@ -3,6 +3,7 @@
 
 #include "franken/material.h"
 #include "franken/place.h"
+#include "franken/pose.h"
 #include "franken/program_cache.h"
 #include "franken/program_uses.h"
 #include "frustum.h"
@@ -75,6 +76,7 @@ struct GpuScene {
 struct Outline {
     Scene scene; ///< Textures, materials, variants, nodes and skins alone.
     std::vector<std::string> nodes;
+    std::vector<NodeWorld> rest; ///< Where the scene's nodes are at rest.
 };
 Outline outlineOf(const Scene& scene);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/material.h"
 
+#include "franken/deform.h"
 #include "franken/tessellation.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <optional>
+#include <vector>
 
 namespace franken {
 namespace {
@@ -82,6 +84,8 @@ public:
         planEmissive();
         planStreams();
         m_plan.fine = m_contents.fine;
+        choices().influences = m_contents.influences;
+        choices().joints = m_contents.joints;
         return m_plan;
     }
 
@@ -170,6 +174,9 @@ void apply(const Look& look, Permutation& permutation) {
     permutation.target = look.target;
     permutation.facingWorkaround = look.facingWorkaround;
     permutation.precision = look.precision;
+    if (!look.joints)
+        permutation.influences = 0;
+    permutation.joints = permutation.influences == 0 ? Joints() : std::min(permutation.joints, *look.joints);
 }
 
 Result<Permutation> canonical(const Permutation& permutation) {
@@ -178,11 +185,44 @@ Result<Permutation> canonical(const Permutation& permutation) {
 
 } // namespace
 
+namespace {
+
+/// Room for so many joints; where they are too many, the most there is.
+Joints jointsFor(std::size_t count) {
+    for (const Joints joints : {Joints::UpTo32, Joints::UpTo64})
+        if (count <= roomFor(joints))
+            return joints;
+    return Joints::UpTo256;
+}
+
+std::size_t countOfJoints(const Deformation& deformation) {
+    std::vector<std::uint32_t> joints;
+    for (const Influence& influence : deformation.influences)
+        if (influence.weight != 0.0f)
+            joints.push_back(influence.joint);
+    std::sort(joints.begin(), joints.end());
+    return static_cast<std::size_t>(std::unique(joints.begin(), joints.end()) - joints.begin());
+}
+
+} // namespace
+
+bool isForVertexShader(const Primitive& primitive) {
+    if (!primitive.deformation || primitive.indices.empty())
+        return false;
+    const Deformation& deformation = *primitive.deformation;
+    return deformation.influencesPerVertex >= 1 &&
+           deformation.influencesPerVertex <= Permutation::kMaxInfluences && !deformation.flat;
+}
+
 VertexContents contentsOf(const Primitive& primitive) {
+    const bool skinned = isForVertexShader(primitive);
     return {.tangents = !primitive.tangents.empty(),
             .uv = {!primitive.uv[0].empty(), !primitive.uv[1].empty()},
             .colors = !primitive.colors.empty(),
-            .fine = normalTurn(primitive) <= kFineNormalTurn};
+            .fine = normalTurn(primitive) <= kFineNormalTurn,
+            .influences = skinned ? static_cast<std::uint8_t>(primitive.deformation->influencesPerVertex)
+                                  : std::uint8_t{0},
+            .joints = skinned ? jointsFor(countOfJoints(*primitive.deformation)) : Joints::UpTo32};
 }
 
 MaterialPlan planMaterial(const Scene& scene, int material, const VertexContents& contents, const Log& log) {

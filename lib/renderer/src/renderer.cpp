@@ -176,7 +176,7 @@ Result<WarmUpReport> Renderer::warmUp(const DrawTarget& target, std::span<const 
         if (Result<void> checked = check(target); !checked)
             return checked.error();
         Result<WarmUpReport> report =
-            m_state->programs.manager.warmUp(m_state->inOwnPrecision(uses), target, progress);
+            m_state->programs.manager.warmUp(m_state->asHere(uses), target, progress);
         m_state->device.state.invalidate();
         return report;
     });

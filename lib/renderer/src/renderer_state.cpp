@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer_state.h"
 
+#include <algorithm>
+
 namespace franken {
 
 Result<void> OwnedPrograms::restore() {
@@ -36,14 +38,20 @@ Result<void> Renderer::State::restore(const Gl& gl, const Capabilities& capabili
 
 void Renderer::State::setLook(Look look) {
     look.precision = device.capabilities.precision;
+    look.joints = device.capabilities.joints;
     frame.setLook(look);
     overlay.forgetProgram();
 }
 
-std::vector<ProgramUse> Renderer::State::inOwnPrecision(std::span<const ProgramUse> uses) const {
+std::vector<ProgramUse> Renderer::State::asHere(std::span<const ProgramUse> uses) const {
     std::vector<ProgramUse> own(uses.begin(), uses.end());
     for (ProgramUse& use : own) {
-        use.permutation.precision = device.capabilities.precision;
+        Permutation& permutation = use.permutation;
+        permutation.precision = device.capabilities.precision;
+        if (!device.capabilities.joints)
+            permutation.influences = 0;
+        else
+            permutation.joints = std::min(permutation.joints, *device.capabilities.joints);
         if (const Result<Canonical> canonical = canonicalise(use.permutation))
             use.permutation = canonical->permutation;
     }

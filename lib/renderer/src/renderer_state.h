@@ -40,10 +40,10 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
     void lost();
     Result<void> restore(const Gl& gl, const Capabilities& capabilities);
 
-    /// What the context computes in is not the application's to choose.
+    /// What the context computes in, and has room for, is not the application's to choose.
     void setLook(Look look);
     /// Manifests may have been written on another machine.
-    std::vector<ProgramUse> inOwnPrecision(std::span<const ProgramUse> uses) const;
+    std::vector<ProgramUse> asHere(std::span<const ProgramUse> uses) const;
     void sayPrecision() const;
 
     /// Whether there was anything to evict.

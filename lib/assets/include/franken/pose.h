@@ -78,9 +78,9 @@ void follow(const std::vector<NodeWorld>& worlds, Camera& camera);
 void follow(const std::vector<NodeWorld>& worlds, Light& light);
 
 /// Moves instances, cameras and lights to where the pose has them, and the vertices of skins and morphs, for
-/// good: for what draws one moment of a scene, or looks for what is where; another pose may follow. A mesh
-/// that several nodes move gets the pose of the last. Renderer::setPose() moves what is on the GPU. Fails as
-/// check() does.
+/// good: for what draws one moment of a scene, or looks for what is where. It is how the scene rests from now
+/// on (restPose()), and another pose may follow. The vertices of a mesh that several nodes move are those of
+/// the last. Renderer::setPose() moves what is on the GPU. Fails as check() does.
 Result<void> applyPose(Scene& scene, const Pose& pose);
 
 } // namespace franken

@@ -154,6 +154,8 @@ Result<void> applyPose(Scene& scene, const Pose& pose) {
         for (Primitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
             deform(primitive, deformingOf(pose, instance, palette));
     }
+    for (std::size_t n = 0; n < scene.nodes.size(); ++n)
+        scene.nodes[n].rest = pose.nodes[n];
     for (Camera& camera : scene.cameras)
         follow(worlds, camera);
     for (Light& light : scene.lights)

@@ -10,6 +10,8 @@
 #include "franken/scene.h"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 
 namespace FRANKEN_API franken {
 
@@ -33,6 +35,9 @@ struct Look {
     EffectChoice effect = {};
     /// A renderer sets it to Capabilities::precision of its context.
     Precision precision = Precision::Fp32;
+    /// The largest palette of joints; none: the CPU moves vertices. A renderer sets it to
+    /// Capabilities::joints of its context.
+    std::optional<Joints> joints = Joints::UpTo256;
 };
 
 /// The optional attributes of a primitive, and other properties of its vertices that choose programs.
@@ -41,8 +46,16 @@ struct VertexContents {
     std::array<bool, 2> uv{}; ///< TEXCOORD_0, TEXCOORD_1
     bool colors = false;      ///< COLOR_0
     bool fine = false;        ///< Normals turn by no more than kFineNormalTurn (tessellation.h).
+    /// Joints that move a vertex, at most; 0 where none do, or a program cannot do it: see
+    /// isForVertexShader().
+    std::uint8_t influences = 0;
+    Joints joints = Joints::UpTo32; ///< Room for all of its joints, or the most there is.
     friend bool operator==(const VertexContents&, const VertexContents&) = default;
 };
+
+/// Whether a vertex shader can move the vertices to where their joints are: it has at most
+/// Permutation::kMaxInfluences of them for each, and normals that are not those of moved triangles.
+bool isForVertexShader(const Primitive& primitive);
 
 VertexContents contentsOf(const Primitive& primitive); ///< What a primitive of a scene has.
 

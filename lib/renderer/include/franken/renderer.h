@@ -148,12 +148,15 @@ public:
     /// one matrix for each primitive of the place.
     Result<void> setWorld(PlaceId place, const glm::dmat4& world);
     /// Moves the nodes of what stands there (pose.h), and hides what the pose hides: the next frame computes
-    /// one matrix for each primitive of the place. Where skins or morph targets move the vertices of a
-    /// primitive that is in view, that frame computes them on the CPU and uploads them, into buffers that the
-    /// place has for itself (draw() fails with "memory.budget" or as an upload where there is no room; then
-    /// they are drawn at rest). The same pose again costs nothing. Allocates for the first pose of a place
-    /// alone. Lighting and viewpoint are the application's: follow() moves the scene's lights and
-    /// cameras. Fails with "pose.nodes" for a pose of another scene.
+    /// one matrix for each primitive of the place, and one for each joint of a skin, which its program gets
+    /// as uniforms. Where that is not enough (morph targets whose weights have changed, more than
+    /// Permutation::kMaxInfluences joints for a vertex, files without normals, a program that fell down the
+    /// ladder), the frame computes the vertices of what is in view on the CPU and uploads them, into buffers
+    /// that the place has for itself (draw() fails with "memory.budget" or as an upload where there is no
+    /// room; then they are drawn at rest, and those of a program that fell down the ladder are not drawn).
+    /// The same pose again costs nothing. Allocates for the first pose of a place alone. Lighting and
+    /// viewpoint are the application's: follow() moves the scene's lights and cameras. Fails with
+    /// "pose.nodes" for a pose of another scene.
     Result<void> setPose(PlaceId place, const Pose& pose);
     /// Hides or shows what stands there, at no cost. Its programs are there already when it is shown.
     Result<void> setVisible(PlaceId place, bool visible);
