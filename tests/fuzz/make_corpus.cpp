@@ -2,10 +2,13 @@
 // make_corpus FOLDER NAMES: writes what the fuzzers start from: the malformed files of the tests, and the
 // sound ones that they were made of; small fonts; the named permutations in the file NAMES.
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #ifdef FRANKEN_TINYEXR
 #include "exr_file.h"
@@ -66,6 +69,28 @@ void writeFonts(const fs::path& folder) {
     writeFont("segments", font);
 }
 
+/// Channels by path and interpolation, of two keys each, and a time (fuzz_pose.cpp).
+void writePoses(const fs::path& folder) {
+    constexpr std::array<int, 5> kWidths = {3, 4, 3, 2, 1};
+    for (int path = 0; path < static_cast<int>(kWidths.size()); ++path)
+        for (int interpolation = 0; interpolation < 3; ++interpolation) {
+            std::string bytes{'\0', static_cast<char>(path)};
+            if (path != 3) // Weights have but one node.
+                bytes += '\1';
+            bytes += {static_cast<char>(interpolation), '\2'};
+            std::vector<float> numbers;
+            for (const float time : {0.25f, 1.0f}) {
+                numbers.push_back(time);
+                for (int i = 0; i < kWidths[static_cast<std::size_t>(path)] * (interpolation == 2 ? 3 : 1);
+                     ++i)
+                    numbers.push_back(0.5f * static_cast<float>(i) - time);
+            }
+            numbers.insert(numbers.end(), {0.5f, 3.25f});
+            bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float));
+            write(folder, std::to_string(path) + "-" + std::to_string(interpolation), bytes);
+        }
+}
+
 void writeNames(const fs::path& folder, const std::string& file) {
     std::ifstream in(file);
     std::stringstream whole;
@@ -97,8 +122,9 @@ int main(int argc, char** argv) {
     write(folder / "sky", "baked", bakedSky());
     writeFloatSkies(folder / "sky");
     writeFonts(folder / "font");
+    writePoses(folder / "pose");
     writeNames(folder, argv[2]);
-    for (const char* part : {"gltf", "font", "sky", "manifest", "permutation"}) {
+    for (const char* part : {"gltf", "font", "pose", "sky", "manifest", "permutation"}) {
         const auto count = std::distance(fs::directory_iterator(folder / part), fs::directory_iterator());
         std::cout << part << ": " << count << " seeds\n";
     }
