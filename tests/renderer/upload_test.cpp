@@ -4,6 +4,8 @@
 #include "franken/resample.h"
 #include "gpu_mesh.h"
 #include "gpu_texture.h"
+#include "joint_influences.h"
+#include "snake.h"
 #include "support/shapes.h"
 
 #include <glm/geometric.hpp>
@@ -44,6 +46,32 @@ TEST(Split, KeepsTrianglesAndTheirOrder) {
             EXPECT_LE(part.vertices.size() / static_cast<std::size_t>(part.format.stride), most);
     }
     EXPECT_EQ(split(whole, {1000}).size(), 1u);
+}
+
+TEST(Split, GivesEachPartAPaletteOfItsOwn) {
+    const Scene scene = sceneOf({.influences = 3, .joints = 40});
+    const Primitive& primitive = scene.meshes[0].primitives[0];
+    const MeshData whole = interleave(primitive, true);
+    for (const std::size_t most : {12u, 13u, 32u, 64u}) {
+        const std::vector<MeshData> parts = split(whole, {100'000, most});
+        EXPECT_EQ(parts.size() == 1, most > 40);
+        std::size_t indices = 0;
+        for (const MeshData& part : parts) {
+            indices += part.indices.size();
+            ASSERT_LE(part.joints.size(), most);
+            for (std::size_t v = 0; v < part.sources.size(); ++v) {
+                const JointInfluences found = influencesAt(
+                    part.format, part.vertices.data() + v * static_cast<std::size_t>(part.format.stride));
+                for (std::size_t i = 0; i < 3; ++i) {
+                    const Influence& influence = primitive.deformation->influences[3 * part.sources[v] + i];
+                    ASSERT_EQ(part.joints.at(static_cast<std::size_t>(found.joints[i]) / 3), influence.joint);
+                    ASSERT_EQ(found.weights[i], influence.weight);
+                }
+                ASSERT_EQ(found.weights[3], 0);
+            }
+        }
+        EXPECT_EQ(indices, primitive.indices.size());
+    }
 }
 
 TEST(Interleave, HoldsWhatThePrimitiveHas) {
