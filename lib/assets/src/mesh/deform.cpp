@@ -49,21 +49,21 @@ class Skinning {
 public:
     Skinning(const Deformation& deformation, const Deforming& pose)
         : m_count(deformation.influencesPerVertex),
-          m_influences(deformation.influences),
-          m_joints(pose.joints) {}
+          m_influences(deformation.influences.data()),
+          m_joints(pose.joints.data()) {}
 
     glm::mat4x3 matrixOf(std::size_t vertex) const {
-        glm::mat4x3 blended(0.0f);
-        for (const Influence& influence : m_influences.subspan(vertex * m_count, m_count))
-            if (influence.weight != 0.0f)
-                blended += influence.weight * m_joints[influence.joint];
+        const Influence* const influences = m_influences + vertex * m_count;
+        glm::mat4x3 blended = influences[0].weight * m_joints[influences[0].joint];
+        for (std::size_t i = 1; i < m_count; ++i) // A test of each weight would take as long again.
+            blended += influences[i].weight * m_joints[influences[i].joint];
         return blended;
     }
 
 private:
     std::size_t m_count;
-    std::span<const Influence> m_influences;
-    std::span<const glm::mat4x3> m_joints;
+    const Influence* m_influences;
+    const glm::mat4x3* m_joints;
 };
 
 void applySkin(const Skinning& skin, Vertices& vertices) {
