@@ -55,6 +55,7 @@ struct Surface {
 
 struct Angles {
   float nDotL; // N.L, at least 0
+  float arriving; // N.L, times what distance and cone leave of the light
   float nDotH2; // (N.H')^2
   float h2; // |H'|^2, kept off 0
   float fresnel; // F: Schlick's (1 - V.H)^5
@@ -121,17 +122,17 @@ Angles anglesOf(Light light, View view) {
   float nDotL = max(view.inverseN * dot(view.normal, light.direction), 0.0);
   float nDotH = nDotL + view.nDotV;
   float h2 = (dot(view.toCamera, light.direction) * view.inverseV) * 2.0 + 2.000002;
-  return Angles(nDotL, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
+  return Angles(nDotL, nDotL, nDotH * nDotH, h2, fresnel(squareRoot(0.25 * h2)));
 }
 
 void addLight(Light light, View view, Surface surface, inout Sum sum) {
   // glTF 2.0, appendix B: its mix of a dielectric and a metal, sorted by what the base colour tints. Schlick's F is
   // F_0 (1 - x^5) + F_90 x^5, and F_90 is 1, which nothing tints.
   Angles angles = anglesOf(light, view);
-  float weightF0 = angles.nDotL - angles.nDotL * angles.fresnel;
+  float weightF0 = angles.arriving - angles.arriving * angles.fresnel;
   float specular = specularLobe(angles, view.nDotV, surface);
   sum.diffuse += light.radiance * (weightF0 * (surface.metal * specular + surface.diffuse));
-  sum.specular += light.radiance * (specular * (angles.nDotL - weightF0 * surface.oneMinusF0));
+  sum.specular += light.radiance * (specular * (angles.arriving - weightF0 * surface.oneMinusF0));
 }
 
 // The sRGB transfer curve (IEC 61966-2-1). c: linear light; clipped at 0 and 1. Returns codes, 0-1.
