@@ -3,7 +3,6 @@
 #include "franken/generator/effect.h"
 #include "franken/overlay_text.h"
 #include "franken/renderer.h"
-#include "snake.h"
 #include "support/font_builder.h"
 #include "support/gl_recorder.h"
 #include "support/heap_count.h"
@@ -152,39 +151,6 @@ TEST(ChangingScene, AFrameAllocatesNothingAndCompilesNothing) {
     const std::size_t after = heapCount().calls;
     EXPECT_TRUE(drawn);
     EXPECT_EQ(after - before, 0u);
-}
-
-// Whether programs move the vertices, or the CPU does.
-TEST(ChangingScene, ASkinThatMovesAllocatesAndCompilesNothing) {
-    const Snake snake{.influences = 4, .joints = 40, .target = true};
-    const Scene scene = sceneOf(snake);
-    std::vector<Pose> poses;
-    for (int number = 0; number < 20; ++number)
-        poses.push_back(bent(scene, snake, 0.1 * number));
-    for (const std::optional<Joints> joints : {std::optional(Joints::UpTo32), std::optional<Joints>()}) {
-        Renderer renderer(nullGl(), {.maxTextureSize = 2048, .maxCubeSize = 2048, .joints = joints});
-        renderer.setLighting(lightingOf(scene));
-        const Result<std::vector<ProgramUse>> uses = usesOf(scene, lightingOf(scene), {});
-        ASSERT_TRUE(uses && renderer.warmUp(kTarget, *uses));
-        const unsigned links = renderer.programCounters().links;
-        EXPECT_GT(links, 0u);
-        const Result<ModelId> model = renderer.add(scene);
-        ASSERT_TRUE(model && renderer.show({{*model}}, Wait::Yes));
-        const PlaceId place = *renderer.firstPlace(*model);
-        const auto draw = [&](int number) {
-            return renderer.setPose(place, poses[static_cast<std::size_t>(number) % poses.size()]) &&
-                   renderer.draw(viewpoint(0), kTarget);
-        };
-        bool drawn = draw(0) && draw(1);
-        const std::size_t before = heapCount().calls;
-        for (int number = 2; number < 202; ++number)
-            drawn = draw(number) && drawn;
-        const std::size_t after = heapCount().calls;
-        EXPECT_TRUE(drawn);
-        EXPECT_GT(renderer.frameCounters().drawn, 0u);
-        EXPECT_EQ(after - before, 0u);
-        EXPECT_EQ(renderer.programCounters().links, links) << "the warm-up knew the programs";
-    }
 }
 
 TEST(ChangingScene, AnOverlayThatIsUpdatedAllocatesNothing) {

@@ -40,7 +40,7 @@ std::ostream& operator<<(std::ostream& out, const Snake& snake) {
 Scene sceneOf(const Snake& snake) {
     SceneBuilder builder;
     builder.addSun({-0.5f, -0.6f, -0.7f}, {1, 1, 1}, 3);
-    Primitive ball = sphere(snake.joints < 100 ? 24 : 90); // Each joint has vertices.
+    Primitive ball = sphere(snake.rings);
     Deformation deformation{.bind = {}, .influencesPerVertex = static_cast<std::size_t>(snake.influences)};
     Vertices wider;
     for (glm::vec3& position : ball.positions) {

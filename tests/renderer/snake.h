@@ -13,6 +13,7 @@ struct Snake {
     int joints;
     bool target = false;
     bool mirrored = false; ///< By the scale of every third joint.
+    int rings = 24;        ///< Of vertices around it.
 };
 
 std::ostream& operator<<(std::ostream& out, const Snake& snake);

@@ -53,8 +53,9 @@ void settle(Object& object, const glm::dmat3& skyFromWorld) {
                                 : glm::determinant(glm::dmat3(node->matrix * drawable.offset)) < 0;
     const bool isTurnedInsideOut = glm::determinant(glm::dmat3(object.place->world)) < 0;
     object.mirrored = isMirrored != isTurnedInsideOut;
-    object.bounds = boundsOf(isPosed(object) ? boundsOf(*object.primitive->deformation, deformingOf(object))
-                                             : object.primitive->bounds,
+    const bool moves = object.mesh->isSkinned() || isPosed(object);
+    object.bounds = boundsOf(moves ? boundsOf(*object.primitive->deformation, deformingOf(object))
+                                   : object.primitive->bounds,
                              world);
     object.position = glm::dvec3(world[3]);
     placeObject(object.block, world, drawable.skin == kNone ? object.mirrored : isTurnedInsideOut,
