@@ -58,8 +58,8 @@ void findLight(const Permutation& p, Needs& n) {
 }
 
 // An unlit texel that only a factor comes to. The exact curves have a straight part, which does not cancel.
-bool staysEncoded(const Permutation& p, const Needs& n, bool unlit) {
-    return unlit && p.baseColorTexture && p.decode != Decode::None && p.output == Output::SrgbFast &&
+bool staysEncoded(const Permutation& p, const Needs& n, bool baseColorAlone) {
+    return baseColorAlone && p.baseColorTexture && p.decode != Decode::None && p.output == Output::SrgbFast &&
            !p.vertexColor && !n.baseColorHook && !n.lightHook;
 }
 
@@ -70,7 +70,7 @@ void findMaterial(const Permutation& p, Needs& n) {
     n.color = unlit || overlay || looked || n.direct || n.ambient;
     n.base = n.color || (n.material && p.alpha != Alpha::Opaque);
     n.baseColorHook = n.material && n.base && asks(p, kBaseColorHook);
-    n.encoded = staysEncoded(p, n, unlit);
+    n.encoded = staysEncoded(p, n, unlit || looked);
     n.metallic = n.direct || n.skyLit || (n.material && p.view == View::RoughnessMetallic);
     n.roughness = n.direct || n.reflection || changes(p, n, kSurfaceChangesRoughness) ||
                   (n.material && p.view == View::RoughnessMetallic);

@@ -195,7 +195,7 @@ inline constexpr std::size_t kMaxJoints = 256;
 /// The palette of a skin: for each joint the rows of its matrix, from where the mesh was bound to the space
 /// that ObjectBlock::model starts from. aJoints says where a joint's rows begin.
 struct SkinBlock {
-    std::array<Float4, 3 * kMaxJoints> joints;
+    std::array<Float4, 3 * kMaxJoints> joints; ///< Three rows each.
 };
 
 /// How many joints a program's palette has room for.

@@ -89,8 +89,8 @@ enum class Reflection : std::uint8_t {
 /// is uploaded for each draw.
 enum class Joints : std::uint8_t {
     UpTo32,  ///< 96 vectors: within the least that OpenGL ES 2.0 allows.
-    UpTo64,  ///< 192
-    UpTo256, ///< 768
+    UpTo64,  ///< 192 vectors.
+    UpTo256, ///< 768 vectors.
 };
 
 /// Where the vectors between surface, eye and suns are computed. Punctual lights are always per pixel.
@@ -154,8 +154,8 @@ struct EffectChoice {
 /// Every choice that changes the text of a program, and nothing else. A default-constructed one is an
 /// opaque, untextured, unlit-by-anything surface; each member's first value is its default.
 struct Permutation {
-    static constexpr std::uint8_t kMaxLights = 4; ///< Suns, and punctual lights, in one program.
-    static constexpr std::uint8_t kMaxInfluences = 4;
+    static constexpr std::uint8_t kMaxLights = 4;     ///< Suns, and punctual lights, in one program.
+    static constexpr std::uint8_t kMaxInfluences = 4; ///< As many as one attribute holds.
 
     Program program = Program::Surface;
 
@@ -177,8 +177,8 @@ struct Permutation {
     bool uv0Transform = false; ///< Stream 0 passes through a KHR_texture_transform matrix.
     bool uv1Transform = false; ///< The same for stream 1.
 
-    std::uint8_t influences = 0; ///< Joints that move a vertex in the vertex shader, 0 to kMaxInfluences.
-    Joints joints = Joints::UpTo32;
+    std::uint8_t influences = 0;    ///< Joints that move a vertex in the vertex shader, 0 to kMaxInfluences.
+    Joints joints = Joints::UpTo32; ///< The palette, where there are influences.
 
     Shading shading = Shading::Lit;
     Brdf brdf = Brdf::Gltf;
