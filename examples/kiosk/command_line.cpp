@@ -47,6 +47,18 @@ platform::Size toSize(const std::string& text) {
     return request->size;
 }
 
+/// A mistyped command is taken for a model: nothing is there by that name, and it is no name of a model.
+std::optional<franken::Error> mistypedCommand(const CLI::App& app, const std::vector<std::string>& models) {
+    if (models.empty() || std::filesystem::path(models[0]).has_extension())
+        return {};
+    std::error_code error;
+    const std::string nearest = franken::cli::nearestOf(models[0], franken::cli::commandsOf(app));
+    if (nearest.empty() || std::filesystem::exists(models[0], error))
+        return {};
+    return franken::Error{"usage", "", "'" + models[0] + "' is neither a command nor a file",
+                          "did you mean '" + nearest + "'?"};
+}
+
 struct Parsed {
     RunOptions run;
     DrawFrame frame;
@@ -120,6 +132,10 @@ Command parseCommandLine(int count, const char* const* arguments) {
         return ExitCode::Ok;
     } catch (const CLI::ParseError& error) {
         std::cerr << "kiosk: " << franken::printable(franken::cli::mistakeIn(app, error)) << "\n";
+        return ExitCode::Usage;
+    }
+    if (const auto mistake = mistypedCommand(app, parsed.models)) {
+        std::cerr << "kiosk: " << franken::printable(*mistake) << "\n";
         return ExitCode::Usage;
     }
     return commandOf(app, parsed);

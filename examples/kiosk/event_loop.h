@@ -13,6 +13,10 @@ namespace kiosk {
 /// CLOCK_MONOTONIC, which no setting of the clock moves.
 using Time = std::chrono::nanoseconds;
 Time now();
+/// From a number of seconds.
+inline Time toTime(double seconds) {
+    return std::chrono::duration_cast<Time>(std::chrono::duration<double>(seconds));
+}
 
 /// What the kiosk waits for, by libsystemd's sd-event: descriptors, timers, signals.
 class EventLoop {

@@ -23,8 +23,6 @@ constexpr Time kTick = std::chrono::seconds(1); // How often the GPU and the clo
 // A restart that is due for a minute must not be done over and over within it.
 constexpr Time kLeastUptime = std::chrono::minutes(5);
 
-Time seconds(double count) { return std::chrono::duration_cast<Time>(std::chrono::duration<double>(count)); }
-
 /// Where that fails, each write says so.
 void makeFolder(const std::string& folder) {
     std::error_code ignored;
@@ -62,7 +60,8 @@ Kiosk::Kiosk(RunOptions options, Config config, franken::Log log, std::unique_pt
       m_started(now()) {
     m_opening.configure(m_config);
     m_opening.presence.seen(m_started);
-    m_show = std::make_unique<Show>(*m_loop, m_config, m_log, [this] { m_isStale = true; });
+    m_show = std::make_unique<Show>(*m_loop, m_config, Machine(m_options.root), m_log,
+                                    [this] { m_isStale = true; });
     m_monitor = std::make_unique<Monitor>(
         *m_loop, m_config, Machine(m_options.root),
         Monitor::Handlers{.relieved = [this](const Relief& relief) { m_show->relieve(relief); },
@@ -104,11 +103,7 @@ void Kiosk::listen() {
     m_sources.push_back(m_loop->onSignal(SIGUSR1, [this] { act(Action::Screenshot); }));
     if (m_options.config.empty())
         return;
-    m_fileWatch = std::make_unique<FileWatch>(m_options.config);
-    m_sources.push_back(m_loop->onReadable(m_fileWatch->descriptor(), [this] {
-        if (m_fileWatch->dispatch())
-            reload();
-    }));
+    m_fileWatch = std::make_unique<FileWatch>(*m_loop, m_options.config, m_log, [this] { reload(); });
 }
 
 Controls::Handlers Kiosk::handlers() {
@@ -206,10 +201,22 @@ void Kiosk::followClock() {
     }
 }
 
+/// When a frame is due although nothing moves.
+Time Kiosk::nextByTime() const {
+    Time next = m_show->nextMove(now());
+    if (m_show->showsStatistics())
+        next = std::min(next, m_nextStatistics);
+    if (!m_config.files.heartbeat.empty())
+        next = std::min(next, m_nextHeartbeat);
+    return next;
+}
+
 Result<void> Kiosk::frameIfDue() {
-    const bool isDue = m_isStale || m_wantsScreenshot || m_show->moves(now());
-    if (!m_dark.empty() || !isDue) {
-        if (const Time next = m_show->nextMove(); next > now())
+    if (!m_dark.empty())
+        return {};
+    const Time next = nextByTime();
+    if (!m_isStale && !m_wantsScreenshot && !m_show->moves(now()) && next > now()) {
+        if (next != Time::max())
             m_frameTimer->arm(next);
         return {};
     }
@@ -232,7 +239,7 @@ Result<void> Kiosk::frame() {
     const Time begun = now();
     // A little early: a frame that is begun late is shown by the same refresh.
     const double rate = m_config.screen.maxFrameRate * m_monitor->relief().frameRate();
-    m_nextFrame = begun + seconds(1 / rate) - std::chrono::milliseconds(2);
+    m_nextFrame = begun + toTime(1 / rate) - std::chrono::milliseconds(2);
     if (m_show->showsStatistics() && begun >= m_nextStatistics) {
         m_nextStatistics = begun + kTick;
         m_show->setStatistics(m_monitor->statistics());
@@ -242,7 +249,10 @@ Result<void> Kiosk::frame() {
     if (m_wantsScreenshot)
         takeScreenshot();
     checkGpu();
-    writeHeartbeat();
+    if (!m_config.files.heartbeat.empty() && now() >= m_nextHeartbeat) {
+        m_nextHeartbeat = now() + kHeartbeat;
+        m_beating.note(writeHeartbeat(), m_log);
+    }
     m_frameWork = now() - begun;
     m_watch.submitted(begun);
     return m_surface->submit();
@@ -257,18 +267,12 @@ void Kiosk::takeScreenshot() {
         m_log(LogLevel::Error, "no screenshot: " + franken::toString(picture.error()));
 }
 
-void Kiosk::writeHeartbeat() {
-    if (m_config.files.heartbeat.empty() || now() < m_nextHeartbeat)
-        return;
-    m_nextHeartbeat = now() + kHeartbeat;
+Result<void> Kiosk::writeHeartbeat() {
     const Result<franken::Image> picture = m_show->stage()->renderer().readPixels(m_show->stage()->target());
     if (!picture)
-        return m_log(LogLevel::Error, "no heartbeat: " + franken::toString(picture.error()));
+        return picture.error();
     const std::uint32_t checksum = platform::crc32(picture->rgba.data(), picture->rgba.size());
-    if (const auto written =
-            platform::writeHeartbeat(m_config.files.heartbeat, m_frameTimes.frames(), checksum);
-        !written)
-        m_log(LogLevel::Error, franken::toString(written.error()));
+    return platform::writeHeartbeat(m_config.files.heartbeat, m_frameTimes.frames(), checksum);
 }
 
 void Kiosk::checkGpu() {
@@ -298,13 +302,8 @@ Result<void> Kiosk::obeyWatch() {
     return {};
 }
 
-std::string Kiosk::stateName() const {
-    const bool draws = m_surface->state() == SurfaceState::Ready || m_surface->state() == SurfaceState::Busy;
-    return draws ? "drawing" : std::string(platform::toString(m_surface->state()));
-}
-
 void Kiosk::reportState() {
-    const std::string state = stateName();
+    const std::string state = stateName(m_surface->state());
     if (state != m_state)
         m_log(LogLevel::Info, state + ": " + m_surface->status());
     m_state = state;

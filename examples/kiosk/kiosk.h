@@ -13,6 +13,7 @@
 #include "kiosk/event_loop.h"
 #include "kiosk/machine/monitor.h"
 #include "kiosk/report/screenshot.h"
+#include "kiosk/report/trouble.h"
 #include "kiosk/show/show.h"
 
 #include <filesystem>
@@ -59,9 +60,9 @@ private:
     void checkGpu();
     franken::Result<void> obeyWatch();
     void takeScreenshot();
-    void writeHeartbeat();
+    franken::Result<void> writeHeartbeat();
+    Time nextByTime() const;
     void reportState();
-    std::string stateName() const;
 
     RunOptions m_options;
     Config m_config;
@@ -84,6 +85,7 @@ private:
     std::vector<std::unique_ptr<EventLoop::Source>> m_sources;
     std::unique_ptr<EventLoop::Timer> m_frameTimer, m_clockTimer, m_aliveTimer;
     Time m_started, m_nextFrame{0}, m_frameWork{0}, m_nextHeartbeat{0}, m_nextStatistics{0};
+    Trouble m_beating{"no heartbeat", "the heartbeat is written again"};
     std::string m_state;
     bool m_isStale = true; ///< Something changed that the screen does not show yet.
     bool m_wantsScreenshot = false, m_ends = false;

@@ -2,6 +2,7 @@
 #include "franken/generator/choices.h"
 #include "kiosk/config/checks.h"
 #include "kiosk/config/example.h"
+#include "kiosk/config/file_watch.h"
 #include "kiosk/config/read_config.h"
 #include "kiosk/config/setting.h"
 #include "support/shell.h"
@@ -153,7 +154,31 @@ TEST(KioskCommand, CheckNamesTheFaultAndEndsWithThree) {
         << bad.err;
     EXPECT_EQ(runIn(folder, KIOSK " check good.toml").code, 0);
     EXPECT_EQ(runIn(folder, KIOSK " check").code, 2);
+    for (const auto& [typed, meant] :
+         {std::pair("chekc", "check"), {"Doctor", "doctor"}, {"setings", "settings"}}) {
+        const Outcome mistyped = runIn(folder, std::string(KIOSK " ") + typed + " good.toml");
+        EXPECT_EQ(mistyped.code, 2) << typed;
+        EXPECT_NE(mistyped.err.find("did you mean '" + std::string(meant) + "'?"), std::string::npos)
+            << mistyped.err;
+    }
     EXPECT_EQ(runIn(folder, KIOSK " settings").out, exampleConfig());
+}
+
+TEST(KioskFileWatch, WhereTheFolderCannotBeWatchedTheFileIsLookedAtAndTheLogSaysSoOnce) {
+    const std::filesystem::path file = emptyTestFolder() / "later" / "kiosk.toml";
+    const auto loop = EventLoop::make();
+    ASSERT_TRUE(loop);
+    std::string log;
+    int changes = 0;
+    const FileWatch watch(
+        **loop, file, [&log](franken::LogLevel, std::string_view text) { log += text; },
+        [&changes] { ++changes; }, std::chrono::milliseconds(1));
+    EXPECT_NE(log.find("cannot be watched: No such file or directory"), std::string::npos) << log;
+    std::filesystem::create_directory(file.parent_path());
+    std::ofstream(file) << "new";
+    while (changes == 0)
+        ASSERT_TRUE((*loop)->turn());
+    EXPECT_EQ(log.find("looked at"), log.rfind("looked at")) << log;
 }
 
 } // namespace

@@ -133,7 +133,23 @@ TEST_F(KioskRelief, ThrottlingCountsAndMemoryIsTheLoadersMatter) {
     EXPECT_GE(m_relief.step(), 1);
     EXPECT_FALSE(m_relief.mayPreload());
     EXPECT_NE(m_relief.reason().find("throttles"), std::string::npos) << m_relief.reason();
-    pass(2s, {.celsius = {}, .throttled = false, .freeMebibytes = 64});
+    pass(124s, {.celsius = {}, .throttled = false, .freeMebibytes = 64});
+    EXPECT_TRUE(m_relief.mayPreload());
+}
+
+TEST_F(KioskRelief, MemoryThatTheNextModelWouldTakeAgainIsNotEnough) {
+    const auto memory = [](double free) {
+        return Strain{.celsius = {}, .throttled = {}, .freeMebibytes = free};
+    };
+    pass(2s, memory(15));
+    EXPECT_FALSE(m_relief.mayPreload());
+    pass(1h, memory(31));
+    EXPECT_FALSE(m_relief.mayPreload()) << "less than twice what is too little";
+    int changes = 0;
+    for (int second = 0; second < 3600; second += 2) // A model of 50 MiB: free without it, taken with it.
+        changes += m_relief.observe(memory(m_relief.mayPreload() ? 10 : 60), m_now += 2s) ? 1 : 0;
+    EXPECT_LE(changes, 60) << "each minute at most";
+    pass(124s, memory(60));
     EXPECT_TRUE(m_relief.mayPreload());
 }
 
@@ -147,6 +163,10 @@ TEST(KioskWander, WalksRoundASquareAndComesBack) {
         last = shift;
     }
     EXPECT_EQ(last, wander(0s, 4));
+    for (const Time time : {Time(0s), Time(59s), Time(60s), Time(90min + 7ms)}) {
+        EXPECT_EQ(wander(nextWander(time) - 1ns, 4), wander(time, 4));
+        EXPECT_FALSE(wander(nextWander(time), 4) == wander(time, 4));
+    }
 }
 
 TEST(KioskFrameTimes, PercentilesAreOfTheLastFrames) {

@@ -45,6 +45,25 @@ TEST_F(KioskTransition, WithoutANextOneAModelStays) {
     }
 }
 
+TEST_F(KioskTransition, AModelThatWasTakenAwayGoesWithoutANextOne) {
+    m_transition.leave();
+    EXPECT_FALSE(m_transition.leaves()) << "nothing is shown";
+    m_transition.advance(0s, true);
+    m_transition.advance(1s, false);
+    m_transition.leave();
+    EXPECT_FALSE(m_transition.advance(5s, false));
+    EXPECT_EQ(m_transition.cover(5500ms), 0.5);
+    EXPECT_FALSE(m_transition.advance(6s, false));
+    EXPECT_EQ(m_transition.phase(), Transition::Phase::Empty);
+    EXPECT_EQ(m_transition.cover(6s), 1);
+    EXPECT_TRUE(m_transition.advance(7s, true)) << "another one came";
+    EXPECT_FALSE(m_transition.advance(9s, true));
+    m_transition.leave();
+    m_transition.advance(10s, false);
+    EXPECT_TRUE(m_transition.advance(11s, true)) << "one came during the fade";
+    EXPECT_FALSE(m_transition.leaves());
+}
+
 TEST_F(KioskTransition, SomebodyCanAskForTheNext) {
     m_transition.configure(0s, 0s);
     EXPECT_TRUE(m_transition.advance(0s, true));

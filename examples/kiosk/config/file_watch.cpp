@@ -1,35 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/config/file_watch.h"
 
-#include <sys/inotify.h>
-#include <unistd.h>
-
-#include <array>
+#include <utility>
 
 namespace kiosk {
 
-FileWatch::FileWatch(const std::filesystem::path& file)
-    : m_name(file.filename().string()), m_inotify(inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
-    const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
-    inotify_add_watch(m_inotify, folder.c_str(), IN_CLOSE_WRITE | IN_MOVED_TO);
+FileWatch::FileWatch(EventLoop& loop, const std::filesystem::path& file, const franken::Log& log,
+                     EventLoop::Handler changed, Time look)
+    : m_file(std::filesystem::absolute(file)), m_changed(std::move(changed)), m_look(look), m_stamp(stamp()) {
+    const auto watched = m_inotify.watch(m_file.parent_path(), IN_CLOSE_WRITE | IN_MOVED_TO);
+    if (watched) {
+        m_source = loop.onReadable(m_inotify.descriptor(), [this] { dispatch(); });
+        return;
+    }
+    log(franken::LogLevel::Warning,
+        m_file.string() + " is looked at every few seconds: " + franken::toString(watched.error()));
+    m_timer = loop.timer([this] { this->look(); });
+    m_timer->arm(now() + m_look);
 }
 
-FileWatch::~FileWatch() {
-    if (m_inotify >= 0)
-        close(m_inotify);
+FileWatch::Stamp FileWatch::stamp() const {
+    std::error_code time, size;
+    return {std::filesystem::last_write_time(m_file, time), std::filesystem::file_size(m_file, size)};
 }
 
-bool FileWatch::dispatch() {
+void FileWatch::dispatch() {
     bool isChanged = false;
-    alignas(inotify_event) std::array<char, 4096> buffer{};
-    for (ssize_t got = 0; (got = read(m_inotify, buffer.data(), buffer.size())) > 0;)
-        for (std::size_t at = 0; at < static_cast<std::size_t>(got);) {
-            const auto& event = *reinterpret_cast<const inotify_event*>(buffer.data() + at);
-            at += sizeof(inotify_event) + event.len;
-            isChanged =
-                isChanged || (event.mask & IN_Q_OVERFLOW) != 0 || (event.len > 0 && m_name == event.name);
-        }
-    return isChanged;
+    m_inotify.read([&](const inotify_event& event) {
+        isChanged = isChanged || (event.mask & IN_Q_OVERFLOW) != 0 ||
+                    (event.len > 0 && m_file.filename() == event.name);
+    });
+    if (isChanged)
+        m_changed();
+}
+
+void FileWatch::look() {
+    const Stamp found = stamp();
+    if (std::exchange(m_stamp, found) != found)
+        m_changed();
+    m_timer->arm(now() + m_look);
 }
 
 } // namespace kiosk

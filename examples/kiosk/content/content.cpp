@@ -47,7 +47,7 @@ void Content::watchFolder(const std::string& folder) {
         return;
     m_folder = std::make_unique<WatchedFolder>(folder, m_log);
     m_folderSource = m_loop.onReadable(m_folder->descriptor(), [this] { folderChanged(); });
-    if (!m_folder->present())
+    if (std::error_code error; !fs::exists(folder, error))
         m_log(LogLevel::Warning, folder + ": there is no such folder; waiting for it");
     folderChanged();
 }
@@ -55,7 +55,7 @@ void Content::watchFolder(const std::string& folder) {
 void Content::folderChanged() {
     for (const fs::path& file : m_folder->dispatch())
         noteChange(file);
-    if (!m_folder->present())
+    if (m_folder->needsRescans())
         m_folderTimer->arm(now() + kLookAgain);
     refresh();
     m_arrived();

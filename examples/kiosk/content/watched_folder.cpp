@@ -1,13 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/content/watched_folder.h"
 
-#include <sys/inotify.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 
 namespace kiosk {
 
@@ -54,25 +48,25 @@ bool isLink(const fs::path& path) {
 } // namespace
 
 WatchedFolder::WatchedFolder(fs::path folder, franken::Log log)
-    : m_folder(std::move(folder)), m_log(std::move(log)), m_inotify(inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
+    : m_folder(std::move(folder)), m_log(std::move(log)) {
     rescan();
 }
 
-WatchedFolder::~WatchedFolder() {
-    if (m_inotify >= 0)
-        close(m_inotify);
-}
-
 void WatchedFolder::watch(const fs::path& folder) {
-    const int watched = inotify_add_watch(m_inotify, folder.c_str(), kEvents);
-    if (watched >= 0) {
-        m_folders[watched] = folder;
+    const franken::Result<int> watched = m_inotify.watch(folder, kEvents);
+    if (watched)
+        m_folders[*watched] = folder;
+    if (watched || watched.error().code == "kiosk.missing")
         m_unwatched.erase(folder);
-    } else if (errno != ENOENT && m_unwatched.insert(folder).second)
-        m_log(LogLevel::Warning, folder.string() + ": cannot be watched: " + std::strerror(errno));
+    else if (m_unwatched.insert(folder).second)
+        m_log(LogLevel::Warning, "looked at every few seconds: " + franken::toString(watched.error()));
 }
 
 void WatchedFolder::rescan() {
+    std::erase_if(m_unwatched, [](const fs::path& folder) {
+        std::error_code error;
+        return !fs::exists(folder, error);
+    });
     watch(m_folder);
     for (const fs::directory_entry& entry : entriesOf(m_folder))
         if (isFolder(entry))
@@ -91,7 +85,7 @@ bool WatchedFolder::handle(const inotify_event& event, std::vector<fs::path>& ch
     if (folder == m_folders.end())
         return false;
     if ((event.mask & (kGone | IN_IGNORED)) != 0) {
-        inotify_rm_watch(m_inotify, event.wd);
+        m_inotify.unwatch(event.wd);
         m_folders.erase(folder);
         return true;
     }
@@ -112,13 +106,7 @@ bool WatchedFolder::handle(const inotify_event& event, std::vector<fs::path>& ch
 std::vector<fs::path> WatchedFolder::dispatch() {
     std::vector<fs::path> changed;
     bool isStale = false;
-    alignas(inotify_event) std::array<char, 16384> buffer{};
-    for (ssize_t got = 0; (got = read(m_inotify, buffer.data(), buffer.size())) > 0;)
-        for (std::size_t at = 0; at < static_cast<std::size_t>(got);) {
-            const auto& event = *reinterpret_cast<const inotify_event*>(buffer.data() + at);
-            at += sizeof(inotify_event) + event.len;
-            isStale = handle(event, changed) || isStale;
-        }
+    m_inotify.read([&](const inotify_event& event) { isStale = handle(event, changed) || isStale; });
     if (isStale) {
         rescan();
         changed.push_back(m_folder);

@@ -2,13 +2,12 @@
 #pragma once
 
 #include "franken/log.h"
+#include "kiosk/inotify.h"
 
 #include <filesystem>
 #include <map>
 #include <set>
 #include <vector>
-
-struct inotify_event;
 
 namespace kiosk {
 
@@ -19,11 +18,8 @@ class WatchedFolder {
 public:
     /// The folder need not be there (yet): rescan() looks for it.
     WatchedFolder(std::filesystem::path folder, franken::Log log);
-    ~WatchedFolder();
-    WatchedFolder(const WatchedFolder&) = delete;
-    WatchedFolder& operator=(const WatchedFolder&) = delete;
 
-    int descriptor() const { return m_inotify; }
+    int descriptor() const { return m_inotify.descriptor(); }
     /// Reads what happened: the files that were completed, replaced or removed; the folder itself where more
     /// may have happened in it.
     std::vector<std::filesystem::path> dispatch();
@@ -31,6 +27,8 @@ public:
     void rescan();
     /// Whether the folder is there and watched.
     bool present() const;
+    /// Whether changes are noticed by rescan() alone, in the folder or one in it.
+    bool needsRescans() const { return !present() || !m_unwatched.empty(); }
 
     /// The .glb and .gltf files that are complete, in the order of their paths.
     std::vector<std::filesystem::path> models() const;
@@ -42,7 +40,7 @@ private:
 
     std::filesystem::path m_folder;
     franken::Log m_log;
-    int m_inotify;
+    Inotify m_inotify;
     std::map<int, std::filesystem::path> m_folders; ///< By watch descriptor.
     std::set<std::filesystem::path> m_beingWritten;
     std::set<std::filesystem::path> m_unwatched; ///< Folders that cannot be watched: each is reported once.

@@ -14,8 +14,7 @@ class Opening {
 public:
     void configure(const Config& config) {
         m_timetable = Timetable(config);
-        presence.setIdleTime(std::chrono::duration_cast<Time>(
-            std::chrono::duration<double, std::ratio<60>>(config.presence.idleMinutes)));
+        presence.setIdleTime(toTime(60 * config.presence.idleMinutes));
     }
 
     Presence presence;

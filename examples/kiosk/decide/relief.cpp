@@ -9,6 +9,7 @@ namespace kiosk {
 namespace {
 
 constexpr double kHysteresis = 5; // Degrees.
+constexpr double kEnough = 2;     // Free memory, in shares of what is too little.
 
 struct Step {
     double resolution, frameRate;
@@ -33,14 +34,27 @@ Relief::Level Relief::levelOf(const Strain& strain) {
                                                                                    : Level::None;
 }
 
+bool Relief::observeMemory(const Strain& strain, Time now) {
+    const double least = m_options.lowMebibytes * (m_mayPreload ? 1 : kEnough);
+    const bool isEnough = !strain.freeMebibytes || *strain.freeMebibytes >= least;
+    if (isEnough == m_mayPreload)
+        m_sinceMemory = now;
+    // A model that is loaded ahead takes what was free without it: there must be enough for a while.
+    const Time patience = m_mayPreload ? Time{0} : m_options.recovery;
+    if (isEnough == m_mayPreload || now - m_sinceMemory < patience)
+        return false;
+    m_mayPreload = isEnough;
+    m_sinceMemory = now;
+    return true;
+}
+
 bool Relief::observe(const Strain& strain, Time now) {
     const Level level = levelOf(strain);
     if (level != m_level) {
         m_level = level;
         m_since = now;
     }
-    const bool mayPreload = !strain.freeMebibytes || *strain.freeMebibytes >= m_options.lowMebibytes;
-    bool isChanged = std::exchange(m_mayPreload, mayPreload) != mayPreload;
+    bool isChanged = observeMemory(strain, now);
     const Time lasted = now - m_since;
     if (level == Level::High && lasted >= m_options.patience && m_step < kMostSteps) {
         ++m_step;

@@ -37,7 +37,8 @@ public:
     int step() const { return m_step; }
     double resolution() const; ///< Of width and height, 0.5 to 1.
     double frameRate() const;  ///< Share of the usual one, 0.25 to 1.
-    /// Whether there is memory to load a model ahead.
+    /// Whether there is memory to load a model ahead: not from lowMebibytes down, until twice as much is free
+    /// for the time of recovery.
     bool mayPreload() const { return m_mayPreload; }
     /// For the log: "step 2 of 4: 75 % of the resolution, 50 % of the frame rate, because ...".
     std::string reason() const;
@@ -45,12 +46,14 @@ public:
 private:
     enum class Level { None, Some, High };
     Level levelOf(const Strain& strain);
+    bool observeMemory(const Strain& strain, Time now);
 
     ReliefOptions m_options;
     int m_step = 0;
     bool m_mayPreload = true;
     Level m_level = Level::None;
-    Time m_since{0}; ///< Of the level, or of the last step.
+    Time m_since{0};       ///< Of the level, or of the last step.
+    Time m_sinceMemory{0}; ///< When memory last was as mayPreload() says.
     std::string m_cause;
 };
 

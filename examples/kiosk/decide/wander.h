@@ -31,4 +31,9 @@ inline Shift wander(Time now, int reach) {
     }
 }
 
+/// When wander() next gives another place.
+inline Time nextWander(Time now) {
+    return std::chrono::floor<std::chrono::minutes>(now) + std::chrono::minutes(1);
+}
+
 } // namespace kiosk

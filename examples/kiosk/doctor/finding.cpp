@@ -6,22 +6,15 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 
 namespace kiosk {
 
 namespace {
 
-const char* wordOf(Finding::Kind kind) {
-    switch (kind) {
-    case Finding::Kind::Good:
-        return "good";
-    case Finding::Kind::Note:
-        return "note";
-    case Finding::Kind::Bad:
-        break;
-    }
-    return "bad";
-}
+constexpr std::array<const char*, 3> kWords = {"good", "note", "bad"};
+
+const char* wordOf(Finding::Kind kind) { return kWords[static_cast<std::size_t>(kind)]; }
 
 } // namespace
 

@@ -17,15 +17,9 @@ namespace {
 using Kind = Finding::Kind;
 
 const char* wordOf(platform::Connection connection) {
-    switch (connection) {
-    case platform::Connection::Connected:
-        return "connected";
-    case platform::Connection::Disconnected:
-        return "not connected";
-    case platform::Connection::Unknown:
-        break;
-    }
-    return "unknown";
+    if (connection == platform::Connection::Unknown)
+        return "unknown";
+    return connection == platform::Connection::Connected ? "connected" : "not connected";
 }
 
 /// The other processes that hold a node of a screen, by /proc; only root sees those of all users.

@@ -71,11 +71,7 @@ void Monitor::writeMetrics() {
     // A power cut may lose one of these: syncing each would wear the card out.
     const franken::Result<void> written =
         franken::writeFile(m_metrics, toPrometheus(statistics()), franken::FileWriter::Sync::Later);
-    if (!written && !m_isFailing)
-        m_log(LogLevel::Error, "no statistics: " + franken::toString(written.error()));
-    if (written && m_isFailing)
-        m_log(LogLevel::Info, "statistics are written again");
-    m_isFailing = !written;
+    m_writing.note(written, m_log);
 }
 
 } // namespace kiosk

@@ -7,6 +7,7 @@
 #include "kiosk/event_loop.h"
 #include "kiosk/machine/machine.h"
 #include "kiosk/report/statistics.h"
+#include "kiosk/report/trouble.h"
 
 #include <functional>
 #include <memory>
@@ -40,7 +41,7 @@ private:
     franken::Log m_log;
     Relief m_relief;
     std::string m_metrics;
-    bool m_isFailing = false; ///< The last write failed: it is reported once.
+    Trouble m_writing{"no statistics", "statistics are written again"};
     Time m_nextMetrics{0};
     double m_startSeconds;
     std::unique_ptr<EventLoop::Timer> m_timer;

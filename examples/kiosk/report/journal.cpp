@@ -11,28 +11,16 @@ namespace kiosk {
 
 namespace {
 
-const char* severityOf(franken::LogLevel level) {
-    switch (level) {
-    case franken::LogLevel::Error:
-        return "<3>";
-    case franken::LogLevel::Warning:
-        return "<4>";
-    case franken::LogLevel::Info:
-        break;
-    }
-    return "<6>";
-}
+struct Prefix {
+    const char *severity, *word;
+};
 
-const char* wordOf(franken::LogLevel level) {
-    switch (level) {
-    case franken::LogLevel::Error:
-        return "kiosk: error: ";
-    case franken::LogLevel::Warning:
-        return "kiosk: warning: ";
-    case franken::LogLevel::Info:
-        break;
-    }
-    return "kiosk: ";
+Prefix prefixOf(franken::LogLevel level) {
+    if (level == franken::LogLevel::Error)
+        return {"<3>", "kiosk: error: "};
+    if (level == franken::LogLevel::Warning)
+        return {"<4>", "kiosk: warning: "};
+    return {"<6>", "kiosk: "};
 }
 
 } // namespace
@@ -40,15 +28,17 @@ const char* wordOf(franken::LogLevel level) {
 franken::Log journal() {
     const bool isJournal = std::getenv("JOURNAL_STREAM") != nullptr;
     return [isJournal](franken::LogLevel level, std::string_view text) {
-        // A line of the journal has one severity: several lines are one message for each.
-        const char* prefix = isJournal ? severityOf(level) : wordOf(level);
+        // A line of the journal has one severity: several lines are one message for each. All of them are
+        // handed over at once: other threads write, too.
+        const std::string prefix = isJournal ? prefixOf(level).severity : prefixOf(level).word;
         const std::string shown = franken::printableLines(text);
+        std::string lines;
         for (std::size_t from = 0; from <= shown.size();) {
             const std::size_t end = std::min(shown.find('\n', from), shown.size());
-            std::cerr << prefix << shown.substr(from, end - from) << "\n";
+            lines += prefix + shown.substr(from, end - from) + "\n";
             from = end + 1;
         }
-        std::cerr.flush();
+        std::cerr << lines << std::flush;
     };
 }
 

@@ -16,6 +16,7 @@ public:
         : m_folder(std::move(folder)), m_log(std::move(log)) {}
 
     /// Writes screenshot.png into the folder; waits for the picture before, if that is not written yet.
+    /// Without a folder, the log says that there is none.
     void write(franken::Image picture);
 
 private:

@@ -6,10 +6,13 @@
 
 namespace kiosk {
 
+using franken::platform::SurfaceState;
+
 namespace {
 
-constexpr std::array<const char*, 6> kStates = {"drawing", "blanked",    "no screen",
-                                                "paused",  "recovering", "failed"};
+constexpr std::array<SurfaceState, 6> kStates = {SurfaceState::Ready,      SurfaceState::Blanked,
+                                                 SurfaceState::NoScreen,   SurfaceState::Paused,
+                                                 SurfaceState::Recovering, SurfaceState::Failed};
 constexpr std::array<double, 3> kQuantiles = {0.5, 0.95, 0.99};
 
 template<typename... Values>
@@ -61,12 +64,17 @@ std::string optionalText(const char* form, std::optional<double> value) {
 
 } // namespace
 
+std::string stateName(SurfaceState state) {
+    const bool draws = state == SurfaceState::Ready || state == SurfaceState::Busy;
+    return draws ? "drawing" : std::string(franken::platform::toString(state));
+}
+
 std::string toPrometheus(const Statistics& s) {
     Writer writer;
     writeFrames(writer, s.frames);
     writer.head("state", "What the kiosk does: 1 for the state that it is in.", "gauge");
-    for (const std::string_view state : kStates)
-        writer.sample("state{state=\"" + std::string(state) + "\"}", state == s.state ? 1 : 0);
+    for (const SurfaceState state : kStates)
+        writer.sample("state{state=\"" + stateName(state) + "\"}", stateName(state) == s.state ? 1 : 0);
     writer.gauge("models", "Models in the playlist.", static_cast<double>(s.models));
     writer.gauge("models_broken", "Models that are skipped because they cannot be read.",
                  static_cast<double>(s.modelsBroken));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "franken/platform/surface.h"
 #include "kiosk/decide/frame_times.h"
 
 #include <cstdint>
@@ -24,6 +25,9 @@ struct Statistics {
     int reliefStep = 0;
     double startSeconds = 0; ///< Since the epoch.
 };
+
+/// "drawing" of a screen that is ready or busy; as the surface calls it otherwise.
+std::string stateName(franken::platform::SurfaceState state);
 
 /// Prometheus' text format, by the conventions of its names: base units, _total for counters.
 std::string toPrometheus(const Statistics& statistics);

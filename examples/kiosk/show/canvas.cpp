@@ -14,6 +14,11 @@ franken::OverlayRect viewerArea(const franken::DrawTarget& target) {
                                                : franken::OverlayRect{0, 0, width, height};
 }
 
+franken::Result<franken::PictureId> addWhite(franken::Renderer& renderer) {
+    static const franken::Image white{.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
+    return renderer.addPicture(white, [] { return white; });
+}
+
 Canvas::~Canvas() { release(); }
 
 void Canvas::release() {

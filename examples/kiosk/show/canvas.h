@@ -38,6 +38,9 @@ private:
     franken::MemoryLease m_lease;
 };
 
+/// One white pixel, to fill areas of the overlay with a colour.
+franken::Result<franken::PictureId> addWhite(franken::Renderer& renderer);
+
 /// Width and height of a target as its viewer sees it.
 franken::OverlayRect viewerArea(const franken::DrawTarget& target);
 

@@ -15,8 +15,6 @@ namespace {
 // Heights of text and margins, as shares of the picture's.
 constexpr float kCaptionHeight = 1.0f / 22, kStatisticsHeight = 1.0f / 36, kMargin = 1.0f / 24;
 
-const franken::Image kWhite{.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
-
 float pixelsOf(float share, float height) { return std::clamp(share * height, 9.0f, 120.0f); }
 
 } // namespace
@@ -28,7 +26,7 @@ Labels::Labels(franken::Renderer& renderer, const std::filesystem::path& font, f
         m_font = *std::move(loaded);
     else
         log(franken::LogLevel::Warning, "no texts are shown: " + franken::toString(loaded.error()));
-    if (const auto sheet = renderer.addPicture(kWhite, [] { return kWhite; }))
+    if (const auto sheet = addWhite(renderer))
         m_sheet = *sheet;
 }
 
@@ -78,7 +76,7 @@ Result<void> Labels::layOut(const franken::OverlayRect& area, float alpha, Shift
 }
 
 Result<void> Labels::draw(const franken::DrawTarget& target, double cover, Shift shift) {
-    if (!m_font || (m_caption.text.empty() && m_statistics.text.empty() && m_notice.text.empty()))
+    if (areEmpty())
         return {};
     const franken::OverlayRect area = viewerArea(target);
     if (std::exchange(m_height, area.height) != area.height)

@@ -22,6 +22,10 @@ public:
     void setCaption(const std::string& text) { m_caption.text = text; }
     void setStatistics(const std::vector<std::string>& lines);
     void setNotice(const std::string& text) { m_notice.text = text; }
+    /// Whether nothing is to be read.
+    bool areEmpty() const {
+        return !m_font || (m_caption.text.empty() && m_statistics.text.empty() && m_notice.text.empty());
+    }
 
     /// `cover`: how much of the model, and of its name, the background hides.
     franken::Result<void> draw(const franken::DrawTarget& target, double cover, Shift shift);

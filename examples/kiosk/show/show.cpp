@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/show/show.h"
 
-#include "kiosk/machine/machine.h"
 #include "kiosk/screen.h"
 
 #include <algorithm>
@@ -17,8 +16,6 @@ namespace {
 constexpr double kExposureStep = 1.25;
 constexpr double kMostExposure = 16;
 
-Time seconds(double count) { return std::chrono::duration_cast<Time>(std::chrono::duration<double>(count)); }
-
 std::filesystem::path manifestOf(const Config& config) {
     return config.files.state.empty() ? std::filesystem::path()
                                       : std::filesystem::path(config.files.state) / "programs.manifest";
@@ -26,8 +23,10 @@ std::filesystem::path manifestOf(const Config& config) {
 
 } // namespace
 
-Show::Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::Handler changed)
+Show::Show(EventLoop& loop, const Config& config, Machine machine, franken::Log log,
+           EventLoop::Handler changed)
     : m_config(config),
+      m_machine(std::move(machine)),
       m_log(std::move(log)),
       m_changed(std::move(changed)),
       m_skyReader([](const auto& path, const auto&) { return readSky(path); }),
@@ -35,7 +34,7 @@ Show::Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::H
       m_statistics(config.show.statistics) {
     m_content = std::make_unique<Content>(loop, m_log, [this] { contentArrived(); });
     m_skySource = loop.onReadable(m_skyReader.descriptor(), [this] { skyArrived(); });
-    m_transition.configure(seconds(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
+    m_transition.configure(toTime(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
     m_content->configure(config);
     requestSky();
 }
@@ -67,7 +66,7 @@ void Show::configure(const Config& config) {
     m_statistics = config.show.statistics;
     const bool isOtherSky = config.show.sky != m_config.show.sky;
     m_config = config;
-    m_transition.configure(seconds(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
+    m_transition.configure(toTime(config.content.fadeSeconds), std::chrono::seconds(config.content.seconds));
     if (m_stage)
         m_stage->configure(config);
     m_content->configure(config);
@@ -81,7 +80,7 @@ Result<void> Show::open(const platform::Surface& surface) {
     if (!gl)
         return gl.error();
     m_stage = std::make_unique<Stage>(*gl, surface.driver(), manifestOf(m_config), m_config, m_log);
-    m_stage->renderer().memory().setBudget(memoryBudget(m_config.content.memoryMebibytes, Machine()));
+    m_stage->renderer().memory().setBudget(memoryBudget(m_config.content.memoryMebibytes, m_machine));
     m_stage->setTarget(targetOf(surface), surface.srgbTarget());
     m_stage->configure(m_config);
     m_stage->setControls(m_lights);
@@ -110,6 +109,25 @@ void Show::wantNext(int direction) {
     m_direction = direction;
     const Exhibit* shown = m_stage->shown();
     m_content->want(shown != nullptr ? std::optional(shown->path) : m_before, direction);
+    if (shown != nullptr || m_content->isReading() || !m_before)
+        return;
+    m_before.reset(); // The only whole model is the one that was shown last.
+    m_content->want({}, direction);
+}
+
+/// A shop that removes a model does not want to see it any longer, even if there is no other one.
+void Show::leaveIfGone() {
+    const Exhibit* shown = m_stage->shown();
+    if (shown != nullptr && !m_content->playlist().contains(shown->path) &&
+        !m_content->following(shown->path))
+        m_transition.leave();
+}
+
+void Show::showNothing() {
+    m_log(LogLevel::Info, "shows nothing: there is no model");
+    m_stage->clear();
+    m_before.reset();
+    contentArrived();
 }
 
 void Show::contentArrived() {
@@ -124,6 +142,7 @@ void Show::contentArrived() {
     const std::optional<std::filesystem::path> path = shown != nullptr ? shown->path : m_before;
     if (shown != nullptr && (!m_content->playlist().contains(*path) || m_content->isReplaced(*path)))
         m_transition.next();
+    leaveIfGone();
     const Exhibit* next = m_stage->next();
     const bool isStale =
         next != nullptr && (!m_content->playlist().contains(next->path) || m_content->isReplaced(next->path));
@@ -154,8 +173,11 @@ void Show::change(Time now) {
         m_stage->dropNext();
         m_content->refuse(path, ready.error());
     }
-    if (!m_transition.advance(now, ready && *ready))
+    if (!m_transition.advance(now, ready && *ready)) {
+        if (m_transition.phase() == Transition::Phase::Empty && m_stage->shown() != nullptr)
+            showNothing();
         return;
+    }
     if (const Result<void> changed = m_stage->change(); !changed)
         m_log(LogLevel::Error, franken::toString(changed.error()));
     m_log(LogLevel::Info, "shows " + m_stage->shown()->path.string());
@@ -174,25 +196,33 @@ bool Show::moves(Time now) const {
     const Transition::Phase phase = m_transition.phase();
     const bool isFading = phase == Transition::Phase::FadingIn || phase == Transition::Phase::FadingOut;
     const bool isDue = end.count() != 0 && now >= end && (m_stage->hasNext() || !m_mayPreload);
-    return isFading || isDue ||
+    const bool wanders = !m_stage->labels().areEmpty() && wander(now, m_config.show.pixelShift) != m_shift;
+    return isFading || isDue || wanders || m_transition.leaves() ||
            (m_stage->hasNext() && (phase == Transition::Phase::Empty || m_transition.isAsked())) ||
            (m_stage->shown() != nullptr && m_stage->shown()->view.moves());
+}
+
+Time Show::nextMove(Time now) const {
+    if (!m_stage)
+        return Time::max();
+    const Time end = m_transition.end();
+    const Time change = end > now ? end : Time::max();
+    const bool canWander = m_config.show.pixelShift > 0 && !m_stage->labels().areEmpty();
+    return canWander ? std::min(change, nextWander(now)) : change;
 }
 
 void Show::draw(Time now) {
     const double passed = m_last.count() == 0 ? 0 : std::chrono::duration<double>(now - m_last).count();
     m_last = now;
-    if (const Result<void> worked = m_stage->work(); !worked)
-        m_log(LogLevel::Warning, franken::toString(worked.error()));
+    m_working.note(m_stage->work(), m_log);
     change(now);
     makeRoom(now);
     if (m_stage->shown() != nullptr)
         m_stage->shown()->view.advance(passed);
     const bool isLoading = m_stage->shown() == nullptr && (m_content->isReading() || m_stage->hasNext());
     label(isLoading);
-    const Shift shift = wander(now, m_config.show.pixelShift);
-    if (const Result<void> drawn = m_stage->draw(m_transition.cover(now), isLoading, shift); !drawn)
-        m_log(LogLevel::Error, franken::toString(drawn.error()));
+    m_shift = wander(now, m_config.show.pixelShift);
+    m_drawing.note(m_stage->draw(m_transition.cover(now), isLoading, m_shift), m_log);
 }
 
 void Show::label(bool isLoading) {
@@ -216,10 +246,11 @@ void Show::act(Action action) {
         return;
     Exhibit* shown = m_stage->shown();
     if (action == Action::Next || action == Action::Previous) {
+        const int direction = action == Action::Next ? 1 : -1;
         m_transition.next();
-        if (action == Action::Previous || !m_stage->hasNext()) {
+        if (direction != m_direction || (!m_stage->hasNext() && !m_content->isReading())) {
             m_stage->dropNext();
-            wantNext(action == Action::Next ? 1 : -1);
+            wantNext(direction);
         }
     }
     if (action == Action::Pause)

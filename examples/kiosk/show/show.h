@@ -7,7 +7,9 @@
 #include "kiosk/content/sky.h"
 #include "kiosk/control/action.h"
 #include "kiosk/decide/relief.h"
+#include "kiosk/machine/machine.h"
 #include "kiosk/report/statistics.h"
+#include "kiosk/report/trouble.h"
 #include "kiosk/show/stage.h"
 #include "kiosk/show/transition.h"
 
@@ -19,7 +21,8 @@ namespace kiosk {
 class Show {
 public:
     /// `changed` is called when the picture that the screen shows is out of date.
-    Show(EventLoop& loop, const Config& config, franken::Log log, EventLoop::Handler changed);
+    Show(EventLoop& loop, const Config& config, Machine machine, franken::Log log,
+         EventLoop::Handler changed);
 
     void configure(const Config& config);
 
@@ -31,8 +34,8 @@ public:
 
     /// Whether the picture changes by itself.
     bool moves(Time now) const;
-    /// When the picture will next change by itself; 0: not by time alone.
-    Time nextMove() const { return m_transition.end(); }
+    /// When the picture will next change by itself, after `now`; Time::max(): not by time alone.
+    Time nextMove(Time now) const;
 
     /// Draws a frame that begin() allowed.
     void draw(Time now);
@@ -58,9 +61,12 @@ private:
     void change(Time now);
     void label(bool isLoading);
     void makeRoom(Time now);
+    void leaveIfGone();
+    void showNothing();
     void requestSky();
 
     Config m_config;
+    Machine m_machine;
     franken::Log m_log;
     EventLoop::Handler m_changed;
     std::unique_ptr<Content> m_content;
@@ -70,6 +76,9 @@ private:
     std::unique_ptr<Stage> m_stage;
     Transition m_transition;
     LightControls m_lights;
+    Shift m_shift; ///< Of the texts, in the frame before.
+    Trouble m_working{"the next model is not loaded", "models are loaded again"};
+    Trouble m_drawing{"the picture is not drawn", "the picture is drawn again"};
     Time m_last{0};                                ///< Of the frame before.
     std::optional<std::filesystem::path> m_before; ///< The model that was shown last; it may be gone.
     int m_direction = 1;                           ///< In which the playlist was searched for the next model.

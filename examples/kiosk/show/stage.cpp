@@ -18,8 +18,6 @@ namespace {
 
 constexpr auto kSlice = std::chrono::microseconds(2000); // Of each frame, for uploads.
 
-const franken::Image kWhite{.name = "white", .width = 1, .height = 1, .rgba = {255, 255, 255, 255}};
-
 bool contains(const std::vector<ProgramUse>& uses, const ProgramUse& use) {
     return std::find(uses.begin(), uses.end(), use) != uses.end();
 }
@@ -51,7 +49,7 @@ Stage::Stage(const franken::Gl& gl, const std::string& driver, std::filesystem::
       m_renderer(gl, m_log),
       m_canvas(gl, m_renderer),
       m_labels(m_renderer, config.show.font, m_log) {
-    if (const auto sheet = m_renderer.addPicture(kWhite, [] { return kWhite; }))
+    if (const auto sheet = addWhite(m_renderer))
         m_sheet = *sheet;
     if (!m_manifest.empty() && std::filesystem::exists(m_manifest))
         m_unwarmed = franken::readManifestOrNothing(m_manifest, m_log);
@@ -246,9 +244,7 @@ void Stage::keepManifest() {
     if (m_manifest.empty() || m_unwritten.empty())
         return;
     const Result<void> kept = franken::appendToManifest(m_manifest, m_unwritten);
-    if (!kept && !m_isFailing)
-        m_log(LogLevel::Error, "the list of programs is not kept: " + franken::toString(kept.error()));
-    m_isFailing = !kept;
+    m_keeping.note(kept, m_log);
     if (kept)
         m_unwritten.clear();
 }

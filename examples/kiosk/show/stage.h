@@ -6,6 +6,7 @@
 #include "kiosk/content/loader.h"
 #include "kiosk/content/sky.h"
 #include "kiosk/report/statistics.h"
+#include "kiosk/report/trouble.h"
 #include "kiosk/show/canvas.h"
 #include "kiosk/show/labels.h"
 #include "kiosk/show/lighting.h"
@@ -110,7 +111,7 @@ private:
     std::vector<franken::ProgramUse> m_warmed, m_unwarmed, m_unwritten;
     std::size_t m_listed = 0; ///< Programs of earlier runs.
     bool m_isLoading = false;
-    bool m_isFailing = false; ///< The last write failed: that is reported once.
+    Trouble m_keeping{"the list of programs is not kept", "the list of programs is kept again"};
     franken::PictureId m_sheet{};
 };
 

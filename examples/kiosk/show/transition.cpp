@@ -18,13 +18,15 @@ bool Transition::advance(Time now, bool isReady) {
         enter(Phase::Showing);
     if (m_phase == Phase::Showing) {
         const bool isOver = m_asked || (m_stay.count() > 0 && now >= m_since + m_stay);
-        if (isOver && isReady)
+        if (m_leaves || (isOver && isReady))
             enter(Phase::FadingOut);
     }
     const bool isDark = m_phase == Phase::Empty || (m_phase == Phase::FadingOut && progress(now) >= 1);
+    if (isDark && m_leaves && !isReady)
+        clear();
     if (!isDark || !isReady)
         return false;
-    m_asked = false;
+    m_asked = m_leaves = false;
     enter(Phase::FadingIn);
     return true;
 }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace kiosk {
 
@@ -31,14 +32,17 @@ franken::OrbitCamera orbitAround(const Box& bounds, double aspect) {
 View::View(franken::Scene still, const Box& bounds, double aspect, const Config& config)
     : m_still(std::move(still)), m_bounds(bounds), m_orbit(orbitAround(bounds, aspect)) {
     configure(config);
-    if (config.show.camera == "file" && !m_still.cameras.empty())
-        m_camera = 0;
     advance(0);
 }
 
 void View::configure(const Config& config) {
     m_turnSeconds = config.show.turnSeconds;
     m_animations = config.show.animations;
+    const bool wantsFile = config.show.camera == "file";
+    if (std::exchange(m_wantsFile, wantsFile) == wantsFile)
+        return;
+    m_camera = wantsFile && !m_still.cameras.empty() ? 0 : franken::kNone;
+    m_settling = true;
 }
 
 void View::setAspect(double aspect) {

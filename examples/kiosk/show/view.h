@@ -45,6 +45,7 @@ private:
     franken::Box m_bounds;
     franken::OrbitCamera m_orbit;
     int m_camera = franken::kNone; ///< Of the file's; kNone: round the model.
+    bool m_wantsFile = false;      ///< By the configuration: the file's cameras.
     double m_turnSeconds = 0, m_time = 0;
     bool m_animations = true, m_paused = false, m_isPosed = false, m_settling = false;
     franken::Pose m_pose;
