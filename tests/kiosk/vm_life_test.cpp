@@ -100,6 +100,8 @@ TEST_F(KioskLife, AnHourWithoutAScreenAndTheWatchdogIsFedInEachState) {
     std::this_thread::sleep_for(1h);
     plug("detect");
     fed("drawing");
+    writeConfig(kStill + "[presence]\nidle-minutes = 0.01\n");
+    fed("blanked");
     kiosk().signal(SIGTERM);
     EXPECT_EQ(kiosk().wait(), 0);
 }
@@ -112,9 +114,51 @@ TEST_F(KioskLife, LittleContiguousMemoryMeansOneModelAtATime) {
     ASSERT_TRUE(logs("too little contiguous memory", 5));
     ASSERT_TRUE(logs("a.glb", 10));
     ASSERT_TRUE(logs("b.glb", 10));
+    writeConfig(kStill);
     writeMachine("/proc/meminfo", "CmaTotal: 262144 kB\nCmaFree: 131072 kB\n");
-    ASSERT_TRUE(logs("relief 0", 5));
+    ASSERT_TRUE(logs("relief 0", 130));
+    writeConfig("[content]\nfolder = \"models\"\nseconds = 3\n");
     ASSERT_TRUE(logs("a.glb", 10));
+}
+
+TEST_F(KioskLife, HeatLowersResolutionAndRateStepByStepAndAStillPicturesStatisticsGoOn) {
+    const std::string sensor = "/sys/class/thermal/thermal_zone0/temp";
+    writeMachine(sensor, "50000\n");
+    start(kStill + "statistics = true\n");
+    ASSERT_TRUE(logs("shows"));
+    std::this_thread::sleep_for(2s);
+    const auto model = [](const VmPicture& shown) { // Beside the texts.
+        std::vector<std::uint32_t> pixels;
+        for (int y = shown.size.height * 3 / 10; y < shown.size.height * 7 / 10; ++y)
+            for (int x = shown.size.width / 2; x < shown.size.width * 3 / 4; ++x)
+                pixels.push_back(shown.at(x, y));
+        return pixels;
+    };
+    const auto cool = model(picture("kiosk_cool"));
+    writeMachine(sensor, "85000\n");
+    ASSERT_TRUE(logs("relief 1 of 4: 75 % of the resolution", 15));
+    ASSERT_TRUE(logs("relief 4 of 4: 50 % of the resolution, 25 % of the frame rate", 40));
+    std::this_thread::sleep_for(2s);
+    EXPECT_NE(model(picture("kiosk_hot")), cool) << "its edges are stretched";
+    const double frames = metric("frame_duration_seconds_count");
+    EXPECT_EQ(metric("relief_step"), 4);
+    EXPECT_EQ(metric("temperature_celsius"), 85);
+    EXPECT_GT(metric("frame_duration_seconds_count"), frames + 20) << "one each second";
+    writeMachine(sensor, "50000\n");
+    ASSERT_TRUE(logs("relief 3 of 4", 125));
+}
+
+TEST_F(KioskLife, TheDoctorSeesTheScreenItsRendererAndWhoHoldsIt) {
+    const Outcome before = runIn(folder(), KIOSK " doctor --json");
+    EXPECT_EQ(before.code, 1) << before.out << before.err;
+    EXPECT_NE(before.out.find("connected, prefers"), std::string::npos) << before.out;
+    EXPECT_NE(before.out.find("the processor draws"), std::string::npos) << before.out;
+    EXPECT_EQ(before.out.find("held by"), std::string::npos) << before.out;
+    start(kStill);
+    ASSERT_TRUE(logs("shows"));
+    const Outcome during = runIn(folder(), KIOSK " doctor --json");
+    EXPECT_NE(during.out.find("held by kiosk (" + std::to_string(kiosk().process()) + ")"), std::string::npos)
+        << during.out;
 }
 
 TEST_F(KioskLife, ButtonsAndKeysDoWhatTheConfigurationSays) {

@@ -35,6 +35,12 @@ TEST_F(KioskShow, ModelsOfAWatchedFolderComeAndGo) {
     ASSERT_TRUE(logs("shows " + (models() / "b.glb").string()));
     std::this_thread::sleep_for(3s);
     EXPECT_FALSE(logs("shows", 1)) << "nothing else is there to be shown";
+    fs::remove(models() / "b.glb");
+    ASSERT_TRUE(logs("shows nothing"));
+    std::this_thread::sleep_for(1s);
+    EXPECT_LT(brightShare(picture("kiosk_gone")), 0.05) << "a model that was removed is still to be seen";
+    copyModel(kEngine, "b.glb");
+    ASSERT_TRUE(logs("shows " + (models() / "b.glb").string()));
     EXPECT_TRUE(kiosk().runs());
 }
 
