@@ -180,6 +180,21 @@ TEST(KioskStatistics, PrometheusTakesThem) {
     EXPECT_EQ(rules.code, 0) << rules.err;
 }
 
+TEST(KioskStatistics, NothingIsSaidOfAThrottleThatCannotBeRead) {
+    const auto line = [](std::optional<unsigned> throttled) {
+        Statistics statistics;
+        statistics.throttled = throttled;
+        for (const std::string& text : toLines(statistics))
+            if (text.starts_with("SoC"))
+                return text;
+        return std::string();
+    };
+    EXPECT_TRUE(line({}).ends_with("throttling -")) << line({});
+    EXPECT_TRUE(line(0).ends_with("not throttled")) << line(0);
+    EXPECT_TRUE(line(0x50000).ends_with("not throttled")) << "it was, and is no more";
+    EXPECT_TRUE(line(4).ends_with("  throttled")) << line(4);
+}
+
 TEST(KioskStatistics, AlertRulesNameStatisticsThatThereAre) {
     Statistics statistics;
     statistics.throttled = 0;

@@ -127,9 +127,9 @@ TEST_F(KioskLife, HeatLowersResolutionAndRateStepByStepAndAStillPicturesStatisti
     start(kStill + "statistics = true\n");
     ASSERT_TRUE(logs("shows"));
     std::this_thread::sleep_for(2s);
-    const auto model = [](const VmPicture& shown) { // Beside the texts.
+    const auto model = [](const VmPicture& shown) { // Below the statistics, above the caption.
         std::vector<std::uint32_t> pixels;
-        for (int y = shown.size.height * 3 / 10; y < shown.size.height * 7 / 10; ++y)
+        for (int y = shown.size.height * 13 / 20; y < shown.size.height * 16 / 20; ++y)
             for (int x = shown.size.width / 2; x < shown.size.width * 3 / 4; ++x)
                 pixels.push_back(shown.at(x, y));
         return pixels;

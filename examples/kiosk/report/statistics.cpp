@@ -62,6 +62,13 @@ std::string optionalText(const char* form, std::optional<double> value) {
     return value ? format(form, *value) : std::string("-");
 }
 
+// Bit 0, too little voltage, is the doctor's to say.
+const char* throttling(std::optional<unsigned> bits) {
+    if (!bits)
+        return "throttling -";
+    return *bits & 0b1110 ? "throttled" : "not throttled";
+}
+
 } // namespace
 
 std::string stateName(SurfaceState state) {
@@ -113,8 +120,7 @@ std::vector<std::string> toLines(const Statistics& s) {
             format("GPU  %.0f of %.0f MiB  CMA free %s", s.gpuBytes / kMebi, s.gpuBudgetBytes / kMebi,
                    optionalText("%.0f MiB", mebibytes(s.freeContiguousBytes)).c_str()),
             "RSS  " + optionalText("%.0f MiB", mebibytes(s.residentBytes)),
-            format("SoC  %s  %s", optionalText("%.0f °C", s.celsius).c_str(),
-                   s.throttled.value_or(0) & 0b1110 ? "throttled" : "not throttled"),
+            format("SoC  %s  %s", optionalText("%.0f °C", s.celsius).c_str(), throttling(s.throttled)),
             format("relief  %d of 4", s.reliefStep)};
 }
 
