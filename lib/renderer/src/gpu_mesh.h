@@ -63,17 +63,18 @@ struct MeshPart {
 /// it has more joints than a palette of the context.
 std::vector<MeshPart> partsOf(const Primitive& primitive, const Capabilities& capabilities);
 
+/// What posed vertices are of. Morph targets alone: where a program moves them on to their joints.
+struct PoseSource {
+    unsigned pose = 0; ///< Place::poses
+    bool withJoints = false;
+    std::vector<float> weights = {};
+};
+
 /// The vertices of a primitive in the pose of one place, part by part.
 struct PosedMesh {
     std::vector<GlBuffer> vertices = {};
     std::vector<MemoryLease> memory = {};
-    /// What the vertices are of. Morph targets alone: where a program moves them on to their joints.
-    struct Source {
-        unsigned pose = 0; ///< Place::poses
-        bool withJoints = false;
-        std::vector<float> weights = {};
-    };
-    std::optional<Source> source = {}; ///< None yet.
+    std::optional<PoseSource> source = {}; ///< None yet.
 };
 
 /// A primitive's buffers.
