@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "recipe.h"
 
-#include "recipe_conditions.h"
+#include "recipe_slot.h"
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <utility>
 
 namespace franken {
@@ -15,29 +14,6 @@ using namespace conditions;
 
 constexpr Stage kVertex = Stage::Vertex;
 constexpr Stage kFragment = Stage::Fragment;
-
-/// One way to fill a slot.
-struct Form {
-    std::string_view snippet;
-    Condition when = always;
-    UvStream Permutation::*uv = nullptr; ///< The stream that it reads.
-};
-
-constexpr std::size_t kMaxForms = 11;
-
-/// A place in the text. Where `when` holds, the first form that applies stands there.
-struct Slot {
-    constexpr Slot(Stage stage_, Condition when_, std::initializer_list<Form> forms_, Each each_ = Each::Once)
-        : stage(stage_), when(when_), count(forms_.size()), each(each_) {
-        std::copy(forms_.begin(), forms_.end(), forms.begin());
-    }
-
-    Stage stage;
-    Condition when;
-    std::array<Form, kMaxForms> forms;
-    std::size_t count;
-    Each each;
-};
 
 constexpr std::array kSlots = {
     Slot{kVertex,
