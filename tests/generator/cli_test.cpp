@@ -99,7 +99,9 @@ TEST_F(Cli, HelpHasAnExampleAndTheManPageNamesEverything) {
             }
     }
     EXPECT_GE(count, 5U);
-    EXPECT_EQ(run("--version").out, "frankenshader 0.1.0\ninterface 0.1, keys 2, texts 1\n");
+    const std::string version = FRANKEN_VERSION;
+    EXPECT_EQ(run("--version").out, "frankenshader " + version + "\ninterface " +
+                                        version.substr(0, version.rfind('.')) + ", keys 2, texts 1\n");
 }
 
 TEST_F(Cli, CheckSaysWhereGlslangIsMissing) {
