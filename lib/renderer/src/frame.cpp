@@ -22,6 +22,17 @@ bool sameShape(const Lighting& a, const Lighting& b) {
            a.exposure == b.exposure;
 }
 
+/// Whether the vertices are those of the pose already. Morph targets alone do not see where joints are: for
+/// them, a new pose with the same weights is the same one.
+bool isMovedTo(const Deforming& pose, unsigned poses, const std::optional<PoseSource>& source) {
+    const bool withJoints = !pose.joints.empty();
+    if (!source || source->withJoints != withJoints)
+        return false;
+    return source->pose == poses ||
+           (!withJoints && std::equal(pose.weights.begin(), pose.weights.end(), source->weights.begin(),
+                                      source->weights.end()));
+}
+
 } // namespace
 
 void Frame::setLighting(const Lighting& lighting) {
@@ -187,18 +198,14 @@ Result<void> Frame::moveVertices(Object& object, const Deforming& pose, PosedMes
         posed = *std::move(made);
     }
     object.posed = &posed;
-    const bool withJoints = !pose.joints.empty();
-    if (posed.source && posed.source->withJoints == withJoints &&
-        (posed.source->pose == object.place->poses ||
-         (!withJoints && std::equal(pose.weights.begin(), pose.weights.end(), posed.source->weights.begin(),
-                                    posed.source->weights.end()))))
+    if (isMovedTo(pose, object.place->poses, posed.source))
         return {};
     deform(*object.primitive->deformation, pose, m_moved);
     object.mesh->upload(m_device, m_moved, posed);
     if (!posed.source)
         posed.source.emplace();
     posed.source->pose = object.place->poses;
-    posed.source->withJoints = withJoints;
+    posed.source->withJoints = !pose.joints.empty();
     posed.source->weights.assign(pose.weights.begin(), pose.weights.end());
     return {};
 }
