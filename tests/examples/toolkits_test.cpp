@@ -163,7 +163,7 @@ TEST_F(Toolkits, QtDrawsBeforeTheModelAndOverIt) {
         GTEST_SKIP() << "needs Qt 6 (Debian package qt6-base-dev)";
     if (runIn(m_folder, "command -v Xvfb").code != 0)
         GTEST_SKIP() << "needs an X server (Debian package xvfb)";
-    const XServer server;
+    const XServer server(m_folder.string());
     ASSERT_FALSE(server.display().empty());
     const Picture model = alone({320, 240}, true);
     for (const char* contexts : {"xcb_egl", "xcb_glx"})

@@ -13,7 +13,8 @@ namespace franken::test {
 /// An X server without a screen, for as long as the object lives; it chooses a display that is free.
 class XServer {
 public:
-    XServer() {
+    /// Its picture is kept in the file Xvfb_screen0 of that folder, as an X window dump.
+    explicit XServer(const std::string& folder) {
         std::array<int, 2> pipe{};
         if (::pipe(pipe.data()) != 0)
             return;
@@ -21,7 +22,7 @@ public:
         if (m_process == 0) {
             close(pipe[0]);
             execlp("Xvfb", "Xvfb", "-displayfd", std::to_string(pipe[1]).c_str(), "-screen", "0",
-                   "640x480x24", "-nolisten", "tcp", static_cast<char*>(nullptr));
+                   "640x480x24", "-nolisten", "tcp", "-fbdir", folder.c_str(), static_cast<char*>(nullptr));
             _exit(127);
         }
         close(pipe[1]);

@@ -46,6 +46,10 @@ cmp static.png shared.png || fail "static and shared libraries differ"
 ! ldd static/generator_only | grep franken || fail "the static example needs a shared library"
 ldd generator_only/generator_only | grep -q 'libfranken_generator.so.0.1 ' || fail "the shared example does not"
 build kiosk "$examples/kiosk"
+build first "$examples/first"
+code=0
+first/first urn.glb 2>first.err || code=$?
+[ "$code" = 1 ] && grep -qE 'libsdl2|start it on a desktop' first.err || fail "the first program without a window ends with $code"
 build shaders shaders
 [ "$(shaders/count)" = "2 programs" ] || fail "$(shaders/count) from the header"
 [ "$(shaders/from_folder)" = "2 programs" ] || fail "$(shaders/from_folder) from the folder"
