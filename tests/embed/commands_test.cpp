@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The command lines of README.md and of the handbook, run as they are printed, in a folder with the files
-// that they name.
+// The command lines of README.md and of the guide for toolkits, run as they are printed, in a folder with the
+// files that they name. Those of the handbook are run by the build of the documentation, which shows what
+// they draw (toolchains/docs/handbook.py).
 #include "support/shell.h"
 
 #include <algorithm>
@@ -90,48 +91,16 @@ TEST_F(Commands, OfTheViewer) {
     EXPECT_TRUE(fs::exists(m_folder / "kiosk.txt"));
 }
 
-/// A grey sky of 64 x 32 texels with a sun of one texel: large skies bake for half a minute.
-void writeSky(const fs::path& path) {
-    std::string texels;
-    for (int i = 0; i < 64 * 32; ++i)
-        texels += i == 64 * 10 + 30 ? "\x80\x80\x80\x8C" : "\x80\x80\x80\x81";
-    std::ofstream(path, std::ios::binary) << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n" << texels;
-}
-
-TEST_F(Commands, OfASky) {
-    expectSuccess("make_model urn.glb");
-    writeSky(m_folder / "lake.hdr");
-    const std::vector<std::string> commands = commandsOf("a-sky");
-    EXPECT_EQ(commands.size(), 2u);
-    for (const std::string& command : commands)
-        expectSuccess(command);
-}
-
-/// Runs the command lines under a heading of the handbook.
-class Handbook : public Commands {
-protected:
-    void expectSuccessOf(const std::string& heading, std::size_t count) const {
-        const std::vector<std::string> commands = commandsOf(kFolder + heading);
-        EXPECT_EQ(commands.size(), count) << heading;
-        for (const std::string& command : commands)
-            expectSuccess(command);
-    }
-
-    const std::string kFolder = "toolchains/docs/handbook/";
-};
-
-TEST_F(Handbook, OfLight) {
-    expectSuccess("make_model urn.glb");
-    expectSuccessOf("units-and-exposure", 3);
-    expectSuccessOf("why-is-it-black-", 5);
-    EXPECT_TRUE(fs::exists(m_folder / "occlusion.png"));
-}
-
-TEST_F(Handbook, OfAnEffect) {
-    expectSuccess("make_model urn.glb");
-    fs::copy(fs::path(BLOCKS) / (kFolder + "the-file.glsl"), m_folder / "glow.glsl");
-    expectSuccessOf("try-it", 3);
-    EXPECT_TRUE(fs::exists(m_folder / "glow.png"));
+/// Its other commands are run by the documentation's build.
+TEST_F(Commands, TheHandbookPrintsTheFirstProgramAsItIs) {
+    std::string printed = readText(fs::path(BLOCKS) / "toolchains/docs/handbook/the-program.inc");
+    printed.erase(0, printed.find('\n') + 1); // #line
+    const std::string program = readText(FRANKEN_SOURCE_DIR "/examples/embed/first/main.cpp");
+    EXPECT_EQ(program, "// SPDX-License-Identifier: MIT\n" + printed);
+    const std::string page = readText(FRANKEN_SOURCE_DIR "/toolchains/docs/handbook/first.md");
+    const std::string project = readText(FRANKEN_SOURCE_DIR "/examples/embed/first/CMakeLists.txt");
+    EXPECT_NE(page.find("```cmake\n" + project.substr(project.find("cmake_minimum_required"))),
+              std::string::npos);
 }
 
 TEST_F(Commands, OfTheToolkits) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The C++ of README.md and of the pages of generator and lib/renderer, compiled and run as it is printed.
+// The C++ of the handbook and of the pages of generator and lib/renderer, compiled and run as it is printed.
 // What a block takes for granted is declared above it.
 #include "franken/baked_sky.h"
 #include "franken/complete.h"
@@ -71,7 +71,7 @@ TEST_P(Readme, ASkyLightsAndIsSeen) {
     Renderer renderer(gl());
     ASSERT_TRUE(renderer.load(scene()));
     Lighting lighting;
-#include "blocks/a-sky.inc"
+#include "blocks/toolchains/docs/handbook/in-an-application.inc"
     ASSERT_TRUE(sky->sun);
     EXPECT_EQ(lighting.suns.size(), 1u);
     renderer.setLighting(lighting);
@@ -80,6 +80,24 @@ TEST_P(Readme, ASkyLightsAndIsSeen) {
     const ReadBack picture = readBack();
     EXPECT_GT(picture.pixel(16, 16)[1], 0) << "the sky lights the square";
     EXPECT_GT(picture.pixel(0, 0)[2], 0) << "the sky is behind it";
+}
+
+TEST_P(Readme, AnEngineFeedsAProgramOfTheCache) {
+    const GetProcAddress getProcAddress = surface().getProcAddress();
+    const Float16 modelViewProjection = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+#include "blocks/toolchains/docs/handbook/programs-at-run-time.inc"
+    constexpr float kCorners[] = {-1, -1, 1, -1, -1, 1, 1, 1};
+    const auto position = static_cast<GLuint>(attributeLocation("aPosition"));
+    gl->EnableVertexAttribArray(position);
+    gl->VertexAttribPointer(position, 2, GL_FLOAT, GL_FALSE, 0, kCorners);
+    gl->VertexAttrib3f(static_cast<GLuint>(attributeLocation("aNormal")), 0, 0, 1);
+    gl->DrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    EXPECT_EQ(gl->GetError(), 0u);
+    const auto pixel = readBack().pixel(16, 16);
+    EXPECT_GT(pixel[0], 240) << "3 lux and the ambient light, on a surface that reflects all red";
+    EXPECT_GT(pixel[0], pixel[1]);
+    EXPECT_GT(pixel[1], pixel[2]);
+    EXPECT_GT(pixel[2], 40);
 }
 
 TEST_P(Readme, ThingsChange) {
@@ -128,7 +146,7 @@ TEST_P(Readme, AKioskWarmsUpFromItsManifestAndKeepsItsMisses) {
     const Scene& scene = this->scene();
     const DrawTarget target = this->target();
     const auto run = [&] {
-#include "blocks/months-without-a-stutter.inc"
+#include "blocks/lib/renderer/months-without-a-stutter.inc"
         return uses.size();
     };
     EXPECT_EQ(run(), 2u) << "at the first start there is no manifest: what the scene needs, lit and unlit";

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// costs.tsv, goals.tsv and prices.md against the compilers of the Raspberry Pi's GPUs.
+// costs.tsv, goals.tsv, option_prices.tsv and prices.md against the compilers of the Raspberry Pi's GPUs.
 #include "costs.h"
+#include "option_prices.h"
 #include "population.h"
 #include "price_list.h"
 
@@ -95,8 +96,15 @@ TEST_F(Goals, AreNamedAsTheyAreMeasured) {
 TEST_F(Goals, ThePriceListIsTrue) {
     const std::string list = priceList();
     EXPECT_EQ(readText(kFolder / "prices.md"), list) << kHowTo;
-    const std::string readme = readText(FRANKEN_SOURCE_DIR "/README.md");
-    EXPECT_EQ(withPriceList(readme, list), readme) << "README.md's copy is another one" << kHowTo;
+    const std::string page = readText(std::filesystem::path(FRANKEN_SOURCE_DIR) / kPageOfCosts);
+    EXPECT_NE(page.find(list), std::string::npos) << kPageOfCosts << " has another one" << kHowTo;
+}
+
+TEST_F(Goals, ThePricesOfAllOptionsAreTrue) {
+    const Table written = readTable(kFolder / "option_prices.tsv"), measured = optionPrices();
+    ASSERT_EQ(written.size(), measured.size()) << kHowTo;
+    for (std::size_t i = 0; i < written.size(); ++i)
+        EXPECT_EQ(written[i], measured[i]) << kHowTo;
 }
 
 CostRow row() { return {"vc4", "sun1", "ok", 100, 2, 40, 20, 0, 0, 120, 40, "1.8"}; }

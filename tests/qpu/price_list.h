@@ -5,6 +5,9 @@
 
 namespace franken::test {
 
+/// The page that has a copy of the list, from the root of the sources.
+inline constexpr const char* kPageOfCosts = "toolchains/docs/handbook/costs.md";
+
 /// A Markdown table: what each feature adds on each GPU. Needs compilers().
 std::string priceList();
 

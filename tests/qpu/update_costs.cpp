@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Measures again and writes costs.tsv, the measured columns of goals.tsv, prices.md and the README's copy of
-// it.
+// Measures again and writes costs.tsv, option_prices.tsv, the measured columns of goals.tsv, prices.md and
+// the README's copy of it.
 #include "costs.h"
+#include "option_prices.h"
 #include "price_list.h"
 
 #include <exception>
@@ -21,11 +22,13 @@ bool update(const std::filesystem::path& root) {
     writeTable(folder / "costs.tsv", toTable(costs));
     const std::vector<Goal> goals = measureGoals(goalsFrom(readTable(folder / "goals.tsv")));
     writeTable(folder / "goals.tsv", toTable(goals));
+    writeTable(folder / "option_prices.tsv", optionPrices());
     const std::string list = priceList();
     writeText(folder / "prices.md", list);
-    const std::string readme = readText(root / "README.md");
-    if (const std::string updated = withPriceList(readme, list); updated != readme)
-        writeText(root / "README.md", updated);
+    const std::filesystem::path page = root / kPageOfCosts;
+    const std::string before = readText(page);
+    if (const std::string updated = withPriceList(before, list); updated != before)
+        writeText(page, updated);
     bool reached = true;
     for (const Goal& goal : goals)
         if (!goal.reached()) {

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""pages.py SOURCE_DIR OUT_DIR: the project's Markdown pages, as Doxygen reads them, and the pictures that they show.
+"""pages.py SOURCE_DIR OUT_DIR PARTS_DIR: the project's Markdown pages, as Doxygen reads them, and the pictures that they show.
 
 A page and each of its headings get a name that does not depend on Doxygen's version, and links become links to these
 names, to the reference of a header, or, where the site has no page of a file, plain text. Fails, with file and line, on a
-link to what is not there. Lines keep their numbers.
+link to what is not there. Lines keep their numbers up to the first part: a line `<!-- part: NAME -->` becomes the file
+PARTS_DIR/NAME, and `<!-- picture: NAME Caption -->` in a page of the handbook the picture PARTS_DIR/PAGE-NAME.
 """
+import html
 import pathlib
 import re
 import shutil
@@ -15,6 +17,8 @@ TOPS = ["generator", "lib", "platform", "examples", "toolchains", "tests"]
 HANDBOOK = "toolchains/docs/handbook/"
 START = HANDBOOK + "README.md"
 PICTURES = {".png", ".jpg", ".svg"}
+PART = re.compile(r"<!-- part: (\S+) -->$")
+PICTURE = re.compile(r"<!-- picture: (\S+) (.+?) -->")
 LINK = re.compile(r"(!?)\[([^\]]*)\]\(([^)\s]+)\)")
 
 
@@ -46,8 +50,8 @@ def headings_of(text):
 
 
 class Site:
-    def __init__(self, root, out):
-        self.root, self.out, self.faults = root, out, []
+    def __init__(self, root, out, parts):
+        self.root, self.out, self.parts, self.faults = root, out, parts, []
         self.pages = pages_of(root)
         self.slugs = {page: {slug_of(h) for h in headings_of(self.read(page))} for page in self.pages}
 
@@ -72,6 +76,11 @@ class Site:
     def line(self, page, number, line):
         if line.startswith("    ") and not line.lstrip().startswith(("-", "|")):
             return line
+        if part := PART.match(line):
+            return self.part(page, number, part[1], lambda path: path.read_text(encoding="utf-8"))
+        if pictures := PICTURE.findall(line):
+            cards = (self.card(page, number, *picture) for picture in pictures)
+            return f'<div class="gallery">{"".join(cards)}</div>'
         if line.startswith("#"):
             title = line.lstrip("#").strip()
             mark = name_of(page) if line.startswith("# ") else f"{name_of(page)}_{slug_of(title)}"
@@ -79,6 +88,15 @@ class Site:
         parts = re.split(r"(`[^`]*`)", line)
         text = "".join(part if part.startswith("`") else re.sub(r"([\\@%])", r"\\\1", part) for part in parts)
         return LINK.sub(lambda link: self.link(page, number, link), text)
+
+    def part(self, page, number, name, use):
+        path = self.parts / name
+        return use(path) if path.exists() else self.fault(page, number, f"the build makes no {name}")
+
+    def card(self, page, number, name, caption):
+        name = f"{pathlib.Path(page).stem}-{name}"
+        words = html.escape(caption)
+        return self.part(page, number, name, lambda _: f'<div class="card"><img src="{name}" alt="{words}"/><div>{words}</div></div>')
 
     def link(self, page, number, link):
         picture, words, target = link.groups()
@@ -109,8 +127,8 @@ class Site:
         return ""
 
 
-def main(source, out):
-    faults = Site(pathlib.Path(source).resolve(), pathlib.Path(out)).write()
+def main(source, out, parts):
+    faults = Site(pathlib.Path(source).resolve(), pathlib.Path(out), pathlib.Path(parts)).write()
     print("\n".join(faults), file=sys.stderr, end="\n" if faults else "")
     return 1 if faults else 0
 
