@@ -49,6 +49,8 @@ const std::vector<Part> kParts = {
      {"lib/base", "generator", "generator/command_line", "lib/programs", "lib/assets", "lib/renderer",
       "platform"},
      {}},
+    // The playground shows what `frankenshader` prints.
+    {"examples/web", {"lib/base", "generator", "generator/cli", "lib/assets", "lib/renderer"}, {}},
 };
 
 /// Of generator, lib/assets sees the plain structs of lights and materials alone.
@@ -85,6 +87,7 @@ std::string resolve(const std::string& include, const std::string& from) {
     const Part& part = *partOf(from);
     Strings places = {fs::path(from).parent_path().generic_string(), part.folder, part.folder + "/src",
                       "lib/assets/src", "examples"};
+    places.insert(places.end(), part.uses.begin(), part.uses.end());
     if (include.starts_with("franken/"))
         for (const Part& other : kParts)
             for (const char* headers : {"/include", "/internal"})

@@ -1,19 +1,52 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# install-packages.sh build|test: installs what is missing of debian-packages.txt. "test" includes "build". Where it
-# has no right to install, it says what is missing and exits with 1.
+# install-packages.sh build|test|web: installs what is missing of debian-packages.txt. "test" includes the others, "web"
+# is the playground's alone. Where it has no right to install, it says what is missing and exits with 1.
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")" && pwd -P)
 case ${1:-} in
 build) wanted='build' ;;
-test) wanted='build|test' ;;
-*) echo "usage: install-packages.sh build|test" >&2; exit 2 ;;
+test) wanted='build|test|web' ;;
+web) wanted='web' ;;
+*) echo "usage: install-packages.sh build|test|web" >&2; exit 2 ;;
 esac
 
-missing=
-for package in $(grep -v '^#' "$here/debian-packages.txt" | awk -v wanted="^($wanted)\$" '$2 ~ wanted {print $1}'); do
-    dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null | grep -qx installed || missing="$missing $package"
-done
+# A nodejs that is not Debian's brings npm along, and conflicts with Debian's.
+is_there() {
+    dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null | grep -qx installed ||
+        { [ "$1" = npm ] && command -v npm >/dev/null; }
+}
+
+# What is missing of the packages "a,b,c".
+missing_of() {
+    for package in $(echo "$1" | tr ',' ' '); do
+        is_there "$package" || printf ' %s' "$package"
+    done
+}
+
+is_known() {
+    for package in $(echo "$1" | tr ',' ' '); do
+        apt-cache show "$package" >/dev/null 2>&1 || return 1
+    done
+}
+
+# Of "a,b|c,d", which are of different releases: nothing where all of one are there, else what is missing of those that
+# apt knows, or of the first where it knows none.
+missing_of_one() {
+    first=${1%%|*} known=
+    for packages in $(echo "$1" | tr '|' ' '); do
+        [ -n "$(missing_of "$packages")" ] || return 0
+        [ -n "$known" ] || ! is_known "$packages" || known=$packages
+    done
+    missing_of "${known:-$first}"
+}
+
+list() {
+    grep -v '^#' "$here/debian-packages.txt" | awk -v wanted="^($wanted)\$" '$2 ~ wanted {print $1}' |
+        while read -r packages; do missing_of_one "$packages"; done
+}
+
+missing=$(list)
 [ -n "$missing" ] || exit 0
 
 as_root=
@@ -26,7 +59,8 @@ if [ "$(id -u)" != 0 ]; then
         exit 1
     fi
 fi
-echo "Installing:$missing"
 $as_root apt-get -qq update
+missing=$(list) # Only now does apt know which of several there are.
+echo "Installing:$missing"
 # shellcheck disable=SC2086
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >/dev/null

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <compare>
+#include <cstddef>
+#include <tuple>
 #include <vector>
 
 #include "gltf/document.h"
@@ -12,7 +13,10 @@ namespace franken::gltf {
 struct MeshUse {
     std::size_t joints = 0;      ///< Of its skin; 0 without one.
     std::vector<double> weights; ///< Of morph targets, at rest.
-    auto operator<=>(const MeshUse&) const = default;
+    /// Not <=>: the vectors of clang 14's library have none.
+    friend bool operator<(const MeshUse& a, const MeshUse& b) {
+        return std::tie(a.joints, a.weights) < std::tie(b.joints, b.weights);
+    }
 };
 
 /// The file's mesh as nothing has moved it yet, with what will (Primitive::deformation). Its primitives'

@@ -1,0 +1,56 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# tests/web/run.sh build|module|playground|population: what CTest runs with the label "web". In the environment: SITE,
+# where the playground is built, BIN, where this build's programs are, and WORK, a folder of its own.
+set -eu
+here=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")" && pwd -P)
+
+skip() {
+    echo "skipped: $1"
+    exit 77
+}
+
+browser() {
+    for name in chromium chromium-browser google-chrome; do
+        command -v "$name" && return
+    done
+    return 1
+}
+
+# Another run of the tests in this build tree may be at it.
+prepare() {
+    command -v npm >/dev/null || skip "npm is not installed"
+    CHROMIUM=$(browser) || skip "Chromium is not installed"
+    export CHROMIUM
+    mkdir -p "$WORK"
+    exec 9>"$WORK/lock"
+    flock 9
+    cp "$here"/*.mjs "$here"/package*.json "$WORK"
+    cmp -s "$here/package-lock.json" "$WORK/node_modules/.made-of" || {
+        (cd "$WORK" && npm ci --silent --no-audit --no-fund)
+        cp "$here/package-lock.json" "$WORK/node_modules/.made-of"
+    }
+    flock -u 9
+}
+
+case ${1:-} in
+build)
+    find /usr/lib/llvm-*/lib/wasm32-wasi/libc++.a >/dev/null 2>&1 || skip "there is no clang with WASI's libraries"
+    exec "$here/../../examples/web/build.sh" "$SITE" "$BIN"
+    ;;
+module)
+    [ -f "$SITE/playground.wasm.gz" ] || skip "the playground is not built"
+    command -v node >/dev/null || skip "node is not installed"
+    exec node --test "$here/module_test.mjs"
+    ;;
+playground | population)
+    [ -f "$SITE/playground.wasm.gz" ] || skip "the playground is not built"
+    prepare
+    cd "$WORK"
+    exec node --test "$1_test.mjs"
+    ;;
+*)
+    echo "usage: tests/web/run.sh build|module|playground|population" >&2
+    exit 2
+    ;;
+esac
