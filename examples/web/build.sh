@@ -9,7 +9,7 @@ root=$here/../..
 mkdir -p "$1"
 out=$(realpath "$1") bin=$(realpath "$2")
 
-cmake -S "$here/module" -B "$out.build" -G Ninja -DCMAKE_BUILD_TYPE= \
+[ -f "$out.build/build.ninja" ] || cmake -S "$here/module" -B "$out.build" -G Ninja -DCMAKE_BUILD_TYPE= \
     -DCMAKE_TOOLCHAIN_FILE="$root/toolchains/cmake/wasi.cmake" >/dev/null
 cmake --build "$out.build" >"$out.build/log" 2>&1 || { cat "$out.build/log"; exit 1; }
 gzip -9nc "$out.build/playground.wasm" >"$out/playground.wasm.gz"

@@ -25,6 +25,7 @@ export class Picture {
   constructor(canvas, library, { roles, blocks }, onChange) {
     this.blockFloats = blocks;
     this.canvas = canvas;
+    this.packed = {};
     this.library = library;
     this.driver = new Driver(canvas, roles, onChange);
     this.behindAll = meshOf({ positions: Float32Array.of(-1, -1, 1, 3, -1, 1, -1, 3, 1) }, Uint32Array.of(0, 1, 2));
@@ -115,14 +116,15 @@ export class Picture {
   }
 
   texturesFor(item, described, scene, sky) {
-    const skyTextures = { uSkyTexture: sky.cube, uReflectionTexture: sky.atlas, uReflectionLookup: sky.lookup };
+    const skyTextures = { uSkyTexture: sky.cube, uReflectionTexture: sky.atlasTexture, uReflectionLookup: sky.lookupTexture };
     return new Map(described.samplers.map(({ name, unit }) => [
       unit, skyTextures[name] ?? (item.material ? item.material.unitTextures.get(unit) : scene.patterns?.get(name)),
     ]));
   }
 
-  /** A copy: the next call of the module writes over its block. */
+  /** A copy: the next call of the module writes over its block. The numbers are kept for who draws the same elsewhere. */
   pack(call, block, numbers) {
+    this.packed[block] = numbers.flat(Infinity);
     return this.library.copyFloats([this.library.pack(call, numbers), this.blockFloats[block]]);
   }
 }

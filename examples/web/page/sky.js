@@ -18,10 +18,10 @@ export function filterSky(module, bytes) {
         reject(new Error(error));
       else
         resolve({
-          ...sky,
+          ...sky, // The pictures among it, for who draws the same elsewhere.
           cube: sky.faces[0].width > 0 ? cubeOf(sky.faces) : undefined,
-          atlas: textureOf(sky.atlas, kClamped),
-          lookup: textureOf(sky.lookup, kClamped),
+          atlasTexture: textureOf(sky.atlas, kClamped),
+          lookupTexture: textureOf(sky.lookup, kClamped),
         });
     };
     worker.postMessage({ module, bytes });
