@@ -203,6 +203,10 @@ const SkinFault kSkinFaults[] = {
          scene.skins[0].joints.pop_back();
          scene.skins[0].inverseBinds.pop_back();
      }},
+    {"instances[0].skin",
+     [](Scene& scene) {
+         scene.meshes[0].primitives.push_back(plane({1, 1}));
+     }},
 };
 
 TEST(Deform, NamesWhatIsWrongWithSkins) {

@@ -138,9 +138,13 @@ Result<void> checkSkinOf(const Scene& scene, const Instance& instance, const std
     if (!isIndex(instance.skin, scene.skins.size()) || instance.nodeIndex == kNone)
         return fault(where + ".skin", "there is no such skin, or the instance has no node");
     const std::size_t joints = scene.skins[static_cast<std::size_t>(instance.skin)].joints.size();
-    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives)
-        if (primitive.deformation && jointsOf(*primitive.deformation) > joints)
+    for (const Primitive& primitive : scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
+        if (!primitive.deformation || primitive.deformation->influences.empty())
+            return fault(where + ".skin", "a primitive of its mesh has no joints: it needs an instance of "
+                                          "its own, without the skin");
+        if (jointsOf(*primitive.deformation) > joints)
             return fault(where + ".skin", "a vertex of its mesh names a joint that it does not have");
+    }
     return {};
 }
 

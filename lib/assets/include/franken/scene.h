@@ -128,7 +128,7 @@ struct Instance {
                            ///< clockwise.
     bool visible = true;   ///< Neither the node nor one above it is hidden (KHR_node_visibility).
     int nodeIndex = kNone; ///< Index into Scene::nodes; kNone for what no pose moves.
-    int skin = kNone;      ///< Index into Scene::skins, whose joints move it in place of the node.
+    int skin = kNone;      ///< Index into Scene::skins, whose joints move its whole mesh, not the node.
     /// From the instance to its node: the identity, but for the instances of EXT_mesh_gpu_instancing.
     glm::dmat4 offset{1.0};
 };

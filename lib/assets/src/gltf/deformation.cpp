@@ -51,7 +51,8 @@ bool readTarget(Document& source, const std::string& name, int accessor, const P
     return true;
 }
 
-/// All sets of joints and weights of a primitive: JOINTS_0 and WEIGHTS_0, JOINTS_1 and WEIGHTS_1, ...
+/// All sets of joints and weights of a primitive: JOINTS_0 and WEIGHTS_0, which are there, JOINTS_1 and
+/// WEIGHTS_1, ...
 class InfluenceReader {
 public:
     InfluenceReader(Document& source, const tinygltf::Primitive& from, std::string where, std::size_t joints)
@@ -66,11 +67,6 @@ public:
                 !readJoints(m_source, *joints, m_joints.emplace_back()) ||
                 !readVectors(m_source, *weights, m_weights.emplace_back()))
                 return false;
-        }
-        if (m_joints.empty()) {
-            m_source.warn(kMended, m_where,
-                          "a skinned mesh has no JOINTS_0 and WEIGHTS_0: drawn without its skin");
-            return true;
         }
         if (find("JOINTS_") != nullptr || find("WEIGHTS_") != nullptr)
             m_source.warn(kMended, m_where,

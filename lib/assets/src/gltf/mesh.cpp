@@ -232,6 +232,17 @@ bool readPrimitive(Document& source, tinygltf::Primitive from, const std::string
     return true;
 }
 
+/// Whether it is of the part that is meant. What no joints move stands where the node does, as glTF 2.0
+/// (3.7.3) lets only what has joints and weights leave it.
+bool isMeant(Document& source, const tinygltf::Primitive& from, const std::string& where,
+             MeshUse::Part part) {
+    const bool skinned = find(from, "JOINTS_0") != kNone && find(from, "WEIGHTS_0") != kNone;
+    if (part == MeshUse::Part::Unskinned && !skinned)
+        source.warn(kMended, where,
+                    "a skinned mesh has no JOINTS_0 and WEIGHTS_0 here: it stands where its node does");
+    return part == MeshUse::Part::All || skinned == (part == MeshUse::Part::Skinned);
+}
+
 } // namespace
 
 bool readMesh(Document& source, int index, const MeshUse& use, Scene& scene, Mesh& mesh) {
@@ -244,7 +255,8 @@ bool readMesh(Document& source, int index, const MeshUse& use, Scene& scene, Mes
         const int mode = from.primitives[p].mode;
         if (mode < TINYGLTF_MODE_POINTS || mode > TINYGLTF_MODE_TRIANGLE_FAN)
             return source.fail("gltf.value", where + "/mode", "there is no mode " + std::to_string(mode));
-        if (!isDrawable(source, from.primitives[p], where))
+        if (!isMeant(source, from.primitives[p], where, use.part) ||
+            !isDrawable(source, from.primitives[p], where))
             continue;
         Primitive primitive;
         if (!readPrimitive(source, from.primitives[p], where, use, scene, primitive))

@@ -11,17 +11,21 @@ namespace franken::gltf {
 
 /// How a node shows its mesh.
 struct MeshUse {
-    std::size_t joints = 0;      ///< Of its skin; 0 without one.
-    std::vector<double> weights; ///< Of morph targets, at rest.
+    /// Which primitives: those with joints and weights, or those without, of a node that has a skin.
+    enum class Part { All, Skinned, Unskinned };
+
+    Part part = Part::All;
+    std::size_t joints = 0;           ///< Of its skin; 0 for what none moves.
+    std::vector<double> weights = {}; ///< Of morph targets, at rest.
     /// Not <=>: the vectors of clang 14's library have none.
     friend bool operator<(const MeshUse& a, const MeshUse& b) {
-        return std::tie(a.joints, a.weights) < std::tie(b.joints, b.weights);
+        return std::tie(a.part, a.joints, a.weights) < std::tie(b.part, b.joints, b.weights);
     }
 };
 
-/// The file's mesh as nothing has moved it yet, with what will (Primitive::deformation). Its primitives'
-/// materials are indices into scene.materials, to which a default is added where it is needed; a mesh of
-/// which nothing can be drawn comes out without primitives.
+/// That part of the file's mesh as nothing has moved it yet, with what will (Primitive::deformation). Its
+/// primitives' materials are indices into scene.materials, to which a default is added where it is needed; a
+/// mesh of which nothing can be drawn comes out without primitives.
 bool readMesh(Document& source, int mesh, const MeshUse& use, Scene& scene, Mesh& out);
 
 /// Materials that one primitive can have: its own, and those of variants.

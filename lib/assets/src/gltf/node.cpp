@@ -69,7 +69,7 @@ private:
     bool readSkin(int index, const Skin*& skin);
     bool findOrReadMesh(int fileMesh, const MeshUse& use, int& mesh);
     bool addMesh(int node);
-    bool addInstance(int node, const MeshUse& use, int mesh, const Skin* skin);
+    bool addPart(int node, const MeshUse& use, const std::vector<glm::dmat4>& offsets, const Skin* skin);
     bool moveToRest(int node, const MeshUse& use, const Instance& instance, const Palette& palette);
     bool addCamera(int node);
     bool addLight(int node);
@@ -165,22 +165,28 @@ bool Walker::addMesh(int index) {
         return false;
     MeshUse use;
     use.weights = node.weights.empty() ? m_source.model.meshes[at(node.mesh)].weights : node.weights;
-    const Skin* skin = nullptr;
-    if (node.skin != kNone) {
-        if (!readSkin(node.skin, skin))
-            return false;
-        use.joints = skin->joints.size();
-    }
-    int mesh = kNone;
-    return findOrReadMesh(node.mesh, use, mesh) && (mesh == kNone || addInstance(index, use, mesh, skin));
-}
-
-bool Walker::addInstance(int index, const MeshUse& use, int mesh, const Skin* skin) {
-    const tinygltf::Node& node = m_source.model.nodes[at(index)];
-    const NodeWorld& world = m_worlds[at(index)];
     std::vector<glm::dmat4> offsets;
     if (!readOffsets(m_source, index, offsets))
         return false;
+    if (node.skin == kNone)
+        return addPart(index, use, offsets, nullptr);
+    const Skin* skin = nullptr;
+    if (!readSkin(node.skin, skin))
+        return false;
+    const MeshUse skinned{MeshUse::Part::Skinned, skin->joints.size(), use.weights};
+    use.part = MeshUse::Part::Unskinned;
+    return addPart(index, skinned, offsets, skin) && addPart(index, use, offsets, nullptr);
+}
+
+bool Walker::addPart(int index, const MeshUse& use, const std::vector<glm::dmat4>& offsets,
+                     const Skin* skin) {
+    const tinygltf::Node& node = m_source.model.nodes[at(index)];
+    const NodeWorld& world = m_worlds[at(index)];
+    int mesh = kNone;
+    if (!findOrReadMesh(node.mesh, use, mesh))
+        return false;
+    if (mesh == kNone)
+        return true;
     for (const glm::dmat4& offset : offsets)
         m_scene.instances.push_back({.name = node.name,
                                      .mesh = mesh,
@@ -205,7 +211,8 @@ bool Walker::moveToRest(int index, const MeshUse& use, const Instance& instance,
     constexpr std::size_t kVertexBytes = 72; // All attributes of a Primitive.
     const std::vector<float> weights(use.weights.begin(), use.weights.end());
     for (Primitive& primitive : m_scene.meshes[at(instance.mesh)].primitives) {
-        if (!m_source.charge(primitive.positions.size(), kVertexBytes, pathOf("nodes", index)))
+        if (!m_source.charge(primitive.positions.size(), kVertexBytes, pathOf("nodes", index)) ||
+            !m_source.charge(primitive.indices.size(), sizeof(std::uint32_t), pathOf("nodes", index)))
             return false;
         deform(primitive, {.weights = weights, .joints = palette.joints, .mirrored = instance.mirrored});
         if (!std::all_of(primitive.positions.begin(), primitive.positions.end(), isFinite<glm::vec3>))
