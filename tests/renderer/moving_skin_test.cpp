@@ -2,9 +2,9 @@
 // What a skin that moves costs in a thousand frames: no allocation of the library's and no program, on
 // drivers that draw, with the context lost in the middle.
 #include "franken/program_uses.h"
-#include "snake.h"
 #include "support/draw_scene.h"
 #include "support/heap_count.h"
+#include "support/snake.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Skins that programs move, whole or in parts, and skins that the CPU moves: one picture.
 #include "franken/generator/pack.h"
-#include "snake.h"
 #include "support/draw_scene.h"
 #include "support/gl_recorder.h"
+#include "support/snake.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "gpu_mesh.h"
 #include "gpu_texture.h"
 #include "joint_influences.h"
-#include "snake.h"
 #include "support/shapes.h"
+#include "support/snake.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>

@@ -2,11 +2,13 @@
 #include "support/kiosk_frames.h"
 
 #include "support/shapes.h"
+#include "support/snake.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace franken::test {
 namespace {
@@ -51,6 +53,11 @@ Scene paintedSign() {
     return builder.scene;
 }
 
+// What moves: skins of a morph in parts by programs, and by the CPU, which has those of more than four
+// joints.
+constexpr std::array kSnakes = {Snake{.influences = 4, .joints = 40, .target = true, .rings = 6},
+                                Snake{.influences = 5, .joints = 9, .rings = 6}};
+
 std::vector<Lighting> lightsOnAndOff() {
     const Sun sun{.direction = {-1, -1, -1}, .illuminance = 3};
     const PunctualLight point{.position = {0, 1, 2}, .intensity = 2};
@@ -74,7 +81,7 @@ std::vector<Lighting> lightsOnAndOff() {
 } // namespace
 
 KioskFrames::KioskFrames()
-    : m_scenes{tiledBall(), leafAndGlass(), paintedSign()},
+    : m_scenes{tiledBall(), leafAndGlass(), paintedSign(), sceneOf(kSnakes[0]), sceneOf(kSnakes[1])},
       m_lightings(lightsOnAndOff()),
       m_sky{.size = 1, .range = 64, .images = {}} {
     m_sky.images.fill({"", 1, 1, {255, 255, 255, 64}});
@@ -113,6 +120,13 @@ Result<void> KioskFrames::change(Renderer& renderer, int frame, std::size_t mode
     const glm::dmat4 world = glm::rotate(glm::scale(glm::dmat4(1), mirror), 0.1 * frame, glm::dvec3(0, 1, 0));
     if (Result<void> moved = renderer.setWorld(m_places[model], world); !moved)
         return moved;
+    if (const std::size_t snake = model + kSnakes.size() - m_scenes.size(); snake < kSnakes.size())
+        for (const PlaceId place : {*renderer.firstPlace(m_models[model]), m_places[model]}) {
+            const double amount = std::sin(0.1 * frame + (place == m_places[model] ? 1 : 0));
+            if (Result<void> posed = renderer.setPose(place, bent(m_scenes[model], kSnakes[snake], amount));
+                !posed)
+                return posed;
+        }
     if (Result<void> hidden = renderer.setVisible(m_places[model], frame % 3 != 0); !hidden)
         return hidden;
     Result<Material> material = renderer.materialOf(m_models[model], 0);

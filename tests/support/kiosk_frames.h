@@ -7,8 +7,8 @@
 
 namespace franken::test {
 
-/// The life of a kiosk in short: models change, move and are coloured anew, lights go on and off, the skybox
-/// comes and goes, the surface is resized. All that a run will need is known before: uses().
+/// The life of a kiosk in short: models change, move, bend and are coloured anew, lights go on and off, the
+/// skybox comes and goes, the surface is resized. All that a run will need is known before: uses().
 class KioskFrames {
 public:
     KioskFrames();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "snake.h"
+#include "support/snake.h"
 
 #include "franken/complete.h"
 #include "support/shapes.h"
