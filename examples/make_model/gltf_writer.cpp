@@ -77,23 +77,28 @@ std::vector<Attribute> attributesOf(const Mesh& mesh) {
         attributes.push_back({"TEXCOORD_0", "VEC2", kFloat, mesh.uvs.data(), sizeof(glm::vec2)});
     if (!mesh.colours.empty())
         attributes.push_back({"COLOR_0", "VEC4", kUnsignedByte, mesh.colours.data(), sizeof(glm::u8vec4)});
+    if (!mesh.joints.empty()) {
+        attributes.push_back({"JOINTS_0", "VEC4", kUnsignedByte, mesh.joints.data(), sizeof(glm::u8vec4)});
+        attributes.push_back({"WEIGHTS_0", "VEC4", kUnsignedByte, mesh.weights.data(), sizeof(glm::u8vec4)});
+    }
     return attributes;
 }
 
-Json addVertices(const Mesh& mesh, Storage& storage) {
-    const std::vector<Attribute> attributes = attributesOf(mesh);
+/// Interleaved; the first attribute has its bounds.
+Json addVertices(const std::vector<Attribute>& attributes, const std::vector<glm::vec3>& positions,
+                 Storage& storage) {
     Bytes vertices;
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+    for (std::size_t i = 0; i < positions.size(); ++i)
         for (const Attribute& attribute : attributes) {
             const auto* bytes = static_cast<const std::uint8_t*>(attribute.data) + i * attribute.size;
             vertices.insert(vertices.end(), bytes, bytes + attribute.size);
         }
-    const std::size_t stride = vertices.size() / mesh.positions.size();
+    const std::size_t stride = vertices.size() / positions.size();
     const std::size_t view = storage.addView(vertices, {{"byteStride", stride}, {"target", kArrayBuffer}});
 
-    glm::vec3 low = mesh.positions.front();
+    glm::vec3 low = positions.front();
     glm::vec3 high = low;
-    for (const glm::vec3& position : mesh.positions) {
+    for (const glm::vec3& position : positions) {
         low = glm::min(low, position);
         high = glm::max(high, position);
     }
@@ -104,9 +109,9 @@ Json addVertices(const Mesh& mesh, Storage& storage) {
         Json accessor{{"bufferView", view},
                       {"byteOffset", offset},
                       {"componentType", attribute.componentType},
-                      {"count", mesh.positions.size()},
+                      {"count", positions.size()},
                       {"type", attribute.type}};
-        if (attribute.componentType == kUnsignedByte)
+        if (attribute.componentType == kUnsignedByte && attribute.name != std::string_view("JOINTS_0"))
             accessor["normalized"] = true;
         if (offset == 0)
             accessor.update({{"min", list(low)}, {"max", list(high)}});
@@ -117,7 +122,7 @@ Json addVertices(const Mesh& mesh, Storage& storage) {
 }
 
 Json toJson(const Mesh& mesh, Storage& storage) {
-    const Json attributes = addVertices(mesh, storage);
+    const Json attributes = addVertices(attributesOf(mesh), mesh.positions, storage);
     const auto* bytes = reinterpret_cast<const std::uint8_t*>(mesh.indices.data());
     const Bytes indices(bytes, bytes + mesh.indices.size() * sizeof mesh.indices[0]);
     const std::size_t accessor =
@@ -125,8 +130,21 @@ Json toJson(const Mesh& mesh, Storage& storage) {
                              {"componentType", kUnsignedShort},
                              {"count", mesh.indices.size()},
                              {"type", "SCALAR"}});
-    const Json primitive{{"attributes", attributes}, {"indices", accessor}, {"material", mesh.material}};
-    return {{"name", mesh.name}, {"primitives", Json::array({primitive})}};
+    Json primitive{{"attributes", attributes}, {"indices", accessor}, {"material", mesh.material}};
+    if (mesh.targets.empty())
+        return {{"name", mesh.name}, {"primitives", Json::array({primitive})}};
+    Json names;
+    for (const Target& target : mesh.targets) {
+        names.push_back(target.name);
+        primitive["targets"].push_back(
+            addVertices({{"POSITION", "VEC3", kFloat, target.positions.data(), sizeof(glm::vec3)},
+                         {"NORMAL", "VEC3", kFloat, target.normals.data(), sizeof(glm::vec3)}},
+                        target.positions, storage));
+    }
+    return {{"name", mesh.name},
+            {"primitives", Json::array({primitive})},
+            {"weights", std::vector<int>(mesh.targets.size(), 0)},
+            {"extras", {{"targetNames", names}}}};
 }
 
 Json toJson(const Material& material) {
@@ -150,6 +168,8 @@ Json toJson(const Material& material) {
     refer(json, "emissiveTexture", material.emissiveImage);
     if (material.emissive != glm::dvec3(0.0))
         json["emissiveFactor"] = list(material.emissive);
+    if (material.doubleSided)
+        json["doubleSided"] = true;
     return json;
 }
 
@@ -165,6 +185,8 @@ Json toJson(const Node& node) {
         json["children"] = node.children;
     if (node.mesh)
         json["mesh"] = *node.mesh;
+    if (node.skin)
+        json["skin"] = *node.skin;
     if (node.camera)
         json["camera"] = *node.camera;
     if (node.light)
@@ -184,6 +206,41 @@ Json toJson(const DirectionalLight& light) {
             {"intensity", light.lux}};
 }
 
+std::size_t addFloats(const float* values, std::size_t count, const char* type, std::size_t width,
+                      Storage& storage) {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(values);
+    const Bytes content(bytes, bytes + count * width * sizeof(float));
+    return storage.addAccessor({{"bufferView", storage.addView(content, Json::object())},
+                                {"componentType", kFloat},
+                                {"count", count},
+                                {"type", type}});
+}
+
+Json toJson(const Skin& skin, Storage& storage) {
+    return {{"name", skin.name},
+            {"joints", skin.joints},
+            {"inverseBindMatrices",
+             addFloats(&skin.inverseBinds[0][0].x, skin.inverseBinds.size(), "MAT4", 16, storage)}};
+}
+
+Json toJson(const Animation& animation, Storage& storage) {
+    const std::size_t input = addFloats(animation.times.data(), animation.times.size(), "SCALAR", 1, storage);
+    storage.accessors[input].update(
+        {{"min", Json::array({animation.times.front()})}, {"max", Json::array({animation.times.back()})}});
+    Json channels, samplers;
+    for (const Channel& channel : animation.channels) {
+        const std::size_t count = channel.values.size();
+        const std::size_t output =
+            channel.path == "weights"    ? addFloats(channel.values.data(), count, "SCALAR", 1, storage)
+            : channel.path == "rotation" ? addFloats(channel.values.data(), count / 4, "VEC4", 4, storage)
+                                         : addFloats(channel.values.data(), count / 3, "VEC3", 3, storage);
+        channels.push_back(
+            {{"sampler", samplers.size()}, {"target", {{"node", channel.node}, {"path", channel.path}}}});
+        samplers.push_back({{"input", input}, {"output", output}});
+    }
+    return {{"name", animation.name}, {"channels", channels}, {"samplers", samplers}};
+}
+
 // All but the images and the buffer.
 Json toJson(const Model& model, Storage& storage) {
     Json gltf{{"asset", {{"version", "2.0"}, {"generator", "FrankenShader make_model"}}},
@@ -201,6 +258,12 @@ Json toJson(const Model& model, Storage& storage) {
         gltf["meshes"].push_back(toJson(mesh, storage));
     for (const Material& material : model.materials)
         gltf["materials"].push_back(toJson(material));
+    for (const Skin& skin : model.skins)
+        gltf["skins"].push_back(toJson(skin, storage));
+    for (const Animation& animation : model.animations)
+        gltf["animations"].push_back(toJson(animation, storage));
+    if (model.images.empty())
+        return gltf;
     for (std::size_t i = 0; i < model.images.size(); ++i)
         gltf["textures"].push_back({{"sampler", 0}, {"source", i}});
     gltf["samplers"].push_back({{"magFilter", kLinear},

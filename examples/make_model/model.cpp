@@ -13,22 +13,6 @@
 namespace make_model {
 namespace {
 
-template<typename T>
-int add(std::vector<T>& list, T item) {
-    list.push_back(std::move(item));
-    return static_cast<int>(list.size()) - 1;
-}
-
-// Tilted up about +X first, then turned about +Y: angles in turns, as a quaternion of six decimals.
-glm::dvec4 aim(double turned, double tilted) {
-    const double sinTurn = sinTurns(turned / 2.0);
-    const double cosTurn = cosTurns(turned / 2.0);
-    const double sinTilt = sinTurns(tilted / 2.0);
-    const double cosTilt = cosTurns(tilted / 2.0);
-    const glm::dvec4 exact(cosTurn * sinTilt, sinTurn * cosTilt, -sinTurn * sinTilt, cosTurn * cosTilt);
-    return glm::floor(exact * 1e6 + 0.5) / 1e6;
-}
-
 int addPorcelain(Model& model) {
     const Canvas canvas(urnProfile(), kUrnTurning.sectors, 512, paintUrn);
     const int packed =
@@ -99,6 +83,15 @@ int addCamera(Model& model) {
 }
 
 } // namespace
+
+glm::dvec4 aim(double turned, double tilted) {
+    const double sinTurn = sinTurns(turned / 2.0);
+    const double cosTurn = cosTurns(turned / 2.0);
+    const double sinTilt = sinTurns(tilted / 2.0);
+    const double cosTilt = cosTurns(tilted / 2.0);
+    const glm::dvec4 exact(cosTurn * sinTilt, sinTurn * cosTilt, -sinTurn * sinTilt, cosTurn * cosTilt);
+    return glm::floor(exact * 1e6 + 0.5) / 1e6;
+}
 
 Model makeModel() {
     Model model;

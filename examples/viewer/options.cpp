@@ -6,8 +6,10 @@
 #include "franken/generator/choices.h"
 #include "franken/printable.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <iostream>
 
 using namespace franken;
@@ -28,6 +30,7 @@ constexpr char kFooter[] =
     "neutral";
 
 constexpr int kMaxTurntable = 3600;
+constexpr int kMaxStripWidth = 16384;    // Pixels; with a height as the screens of kiosks have, 70 MiB.
 constexpr unsigned kMaxMebibytes = 4095; // What 32 bits can count the bytes of.
 
 // The whole text is one number.
@@ -151,6 +154,8 @@ void addTarget(CLI::App& app, Options& options) {
         ->type_name("N")
         ->check(cli::wholeNumber(1, kMaxTurntable))
         ->excludes("--turntable");
+    app.add_flag("--strip", options.strip,
+                 "All pictures of --frames or --turntable in one, the first at the left");
     app.add_flag("--supersample", options.supersample, "Four samples a pixel");
     addChoice(app, "--backend", options.backend, "What draws",
               {{"osmesa", platform::Backend::OsMesa}, {"egl", platform::Backend::EglSurfaceless}});
@@ -224,6 +229,16 @@ void addLoading(CLI::App& app, Options& options) {
         ->excludes("--frames");
 }
 
+void checkStrip(const Options& options) {
+    const std::int64_t count = std::max(options.frames, options.turntable);
+    if (options.strip && count == 0)
+        throw CLI::ValidationError("--strip", "it needs --frames or --turntable");
+    if (options.strip && count * options.size.width > kMaxStripWidth)
+        throw CLI::ValidationError("--strip", std::to_string(count) + " pictures side by side may be " +
+                                                  std::to_string(kMaxStripWidth) +
+                                                  " pixels wide in all: make --size smaller");
+}
+
 void checkTogether(const Options& options) {
     const std::filesystem::path inputs[] = {options.model,    options.skybox,   options.heightMap,
                                             options.manifest, options.snippets, options.effect};
@@ -231,6 +246,7 @@ void checkTogether(const Options& options) {
         throw CLI::ValidationError("--output-file", checked.error().what);
     if (options.frames > 0 && options.animation.empty())
         throw CLI::ValidationError("--frames", "it needs --animation");
+    checkStrip(options);
     if (const auto& pick = options.pick)
         if ((*pick)[0] < 0 || (*pick)[1] < 0 || (*pick)[0] >= options.size.width ||
             (*pick)[1] >= options.size.height)

@@ -21,8 +21,9 @@ struct Options {
     std::filesystem::path output = "out.png";
     franken::platform::Backend backend = franken::platform::Backend::OsMesa;
     franken::platform::Size size = {512, 512};
-    int turntable = 0; ///< How many pictures all around; 0 for one picture.
-    int frames = 0;    ///< How many pictures of one round of the animation; 0 for one picture.
+    int turntable = 0;  ///< How many pictures all around; 0 for one picture.
+    int frames = 0;     ///< How many pictures of one round of the animation; 0 for one picture.
+    bool strip = false; ///< All of these side by side in one picture.
     bool supersample = false;
     bool permutations = false;
     bool watch = false;
@@ -59,7 +60,7 @@ struct Options {
 
 /// Where the picture of that number goes, counted from 0, of those all around or of an animation: the output
 /// with the number, from 1 on, in place of its %d or %04d, or else before its extension. The output itself
-/// where there is one picture.
+/// where there is one picture, as a strip is.
 std::filesystem::path outputOf(const Options& options, int number);
 
 /// Fails where a picture would overwrite one of these.

@@ -36,7 +36,7 @@ std::optional<std::string> withNumber(const std::string& name, int number) {
 
 std::filesystem::path outputOf(const Options& options, int number) {
     const int count = std::max(options.turntable, options.frames);
-    if (count == 0)
+    if (count == 0 || options.strip)
         return options.output;
     std::filesystem::path path = options.output;
     if (const auto name = withNumber(path.filename().string(), number + 1); name && options.frames > 0)

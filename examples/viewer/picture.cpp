@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdlib>
 
 using namespace franken;
@@ -21,6 +22,13 @@ Image halved(const Image& image) {
                 half.rgba.push_back(static_cast<std::uint8_t>((p[0] + p[4] + p[row] + p[row + 4] + 2) / 4));
             }
     return half;
+}
+
+void paste(const Image& picture, int x, Image& into) {
+    const std::ptrdiff_t from = std::ptrdiff_t{4} * picture.width, to = std::ptrdiff_t{4} * into.width;
+    for (int y = 0; y < picture.height; ++y)
+        std::copy_n(picture.rgba.begin() + y * from, from,
+                    into.rgba.begin() + y * to + std::ptrdiff_t{4} * x);
 }
 
 Coverage coverageOf(const Image& image, const Float3& background) {

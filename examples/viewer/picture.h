@@ -8,6 +8,9 @@
 /// without sRGB targets do.
 franken::Image halved(const franken::Image& image);
 
+/// Puts the picture into a larger one, `x` pixels from its left and at its top.
+void paste(const franken::Image& picture, int x, franken::Image& into);
+
 /// What of a picture on a background of one colour (encoded, 0-1) shows something else.
 struct Coverage {
     std::size_t shown = 0; ///< Pixels of another colour than the background.

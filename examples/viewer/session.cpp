@@ -233,8 +233,8 @@ std::optional<Failure> Session::draw() {
     for (const ProgramUse& use : drawn->needed)
         if (std::find(m_needed.begin(), m_needed.end(), use) == m_needed.end())
             m_needed.push_back(use);
-    if (const Result<void> written = writePng(outputOf(m_options, 0), drawn->picture); !written)
-        return Failure{written.error(), ExitCode::Device};
+    if (std::optional<Failure> failure = keep(drawn->picture, 0))
+        return failure;
     if (std::optional<Failure> failure = drawTurned(subject, orbit))
         return failure;
     if (std::optional<Failure> failure = drawFrames(subject))
@@ -242,6 +242,20 @@ std::optional<Failure> Session::draw() {
     if (m_options.stats)
         printStats(*drawn);
     return {};
+}
+
+std::optional<Failure> Session::keep(const Image& picture, int number) {
+    const int count = std::max(m_options.frames, m_options.turntable);
+    if (m_options.strip && number == 0) {
+        m_strip = {.name = "", .width = count * picture.width, .height = picture.height, .rgba = {}};
+        m_strip.rgba.resize(picture.rgba.size() * static_cast<std::size_t>(count));
+    }
+    if (m_options.strip)
+        paste(picture, number * picture.width, m_strip);
+    if (m_options.strip && number + 1 < count)
+        return {};
+    const Result<void> written = writePng(outputOf(m_options, number), m_options.strip ? m_strip : picture);
+    return written ? std::nullopt : std::optional(Failure{written.error(), ExitCode::Device});
 }
 
 // The pictures of an animation after the first one, in the same exposure.
@@ -257,8 +271,8 @@ std::optional<Failure> Session::drawFrames(Subject& subject) {
         const Result<Drawn> drawn = drawSubject(subject);
         if (!drawn)
             return Failure{drawn.error(), ExitCode::Device};
-        if (const Result<void> written = writePng(outputOf(m_options, number), drawn->picture); !written)
-            return Failure{written.error(), ExitCode::Device};
+        if (std::optional<Failure> failure = keep(drawn->picture, number))
+            return failure;
     }
     return {};
 }
@@ -276,8 +290,8 @@ std::optional<Failure> Session::drawTurned(Subject& subject, OrbitCamera& orbit)
         const Result<Image> picture = m_studio->drawAgain(subject);
         if (!picture)
             return Failure{picture.error(), ExitCode::Device};
-        if (const Result<void> written = writePng(outputOf(m_options, number), *picture); !written)
-            return Failure{written.error(), ExitCode::Device};
+        if (std::optional<Failure> failure = keep(*picture, number))
+            return failure;
     }
     return {};
 }

@@ -44,6 +44,8 @@ private:
     std::optional<Failure> readSky();
     std::optional<Failure> readModel(Subject& subject);
     std::optional<Failure> readSubject(Subject& subject);
+    /// Writes the picture of that number, or puts it into the strip, which is written when it is whole.
+    std::optional<Failure> keep(const franken::Image& picture, int number);
     std::optional<Failure> drawFrames(Subject& subject);
     std::optional<Failure> drawTurned(Subject& subject, franken::OrbitCamera& orbit);
     franken::Result<Drawn> drawVisibly(Subject& subject);
@@ -57,4 +59,5 @@ private:
     std::optional<std::vector<franken::ProgramUse>> m_listed; ///< In the manifest, once it was read.
     std::vector<franken::ProgramUse> m_needed;                ///< By all pictures, each once.
     std::unique_ptr<Studio> m_studio;                         ///< From the first picture on.
+    franken::Image m_strip; ///< As far as it has come; empty where none is asked for.
 };

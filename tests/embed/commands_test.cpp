@@ -2,6 +2,7 @@
 // The command lines of README.md and of the guide for toolkits, run as they are printed, in a folder with the
 // files that they name. Those of the handbook are run by the build of the documentation, which shows what
 // they draw (toolchains/docs/handbook.py).
+#include "support/draw_scene.h"
 #include "support/shell.h"
 
 #include <algorithm>
@@ -89,6 +90,21 @@ TEST_F(Commands, OfTheViewer) {
         expectSuccess(contains(command, "--watch") ? untilThePictureIsThere(command) : command);
     EXPECT_TRUE(fs::exists(m_folder / "urn.png"));
     EXPECT_TRUE(fs::exists(m_folder / "kiosk.txt"));
+}
+
+// The picture of the page is the one that its commands draw. 2 codes in a hundredth of the pixels are left to
+// other versions of Mesa.
+TEST_F(Commands, OfWhatMoves) {
+    const std::vector<std::string> commands = commandsOf("what-moves");
+    EXPECT_EQ(commands.size(), 3u);
+    for (const std::string& command : commands)
+        expectSuccess("export GALLIUM_DRIVER=softpipe; " + command);
+    EXPECT_TRUE(fs::exists(m_folder / "frame_0024.png"));
+    const fs::path printed = fs::path(FRANKEN_SOURCE_DIR) / "examples/day.png";
+    EXPECT_LT(fs::file_size(printed), 60000u);
+    const Picture picture = readPicture(m_folder / "day.png");
+    const Difference difference = compareLit(picture, readPicture(printed));
+    EXPECT_LE(difference.shareAbove(2), 0.01) << writeDifference("day", picture, readPicture(printed));
 }
 
 /// Its other commands are run by the documentation's build.

@@ -5,6 +5,7 @@
 #include "franken/complete.h"
 #include "franken/file_writer.h"
 #include "franken/generator/compose.h" // The block's own include then does nothing inside a function.
+#include "franken/gltf.h"
 #include "franken/manifest.h"
 #include "franken/orbit_camera.h"
 #include "franken/overlay_text.h"
@@ -131,6 +132,36 @@ TEST_P(Readme, ThingsChange) {
     const ReadBack picture = readBack();
     EXPECT_GT(picture.pixel(8, 16)[0], 40) << "one lux on a rough metal";
     EXPECT_LT(picture.pixel(8, 16)[2], picture.pixel(8, 16)[0]) << "red or orange";
+}
+
+// By the code of the page, and as a scene that is posed for good.
+TEST_P(Readme, WhatMoves) {
+    const std::filesystem::path folder = emptyTestFolder();
+    ASSERT_EQ(runIn(folder, MAKE_MODEL " flower.glb flower").code, 0);
+    const WorkingFolder there(folder);
+    Scene scene = *loadGltf("flower.glb");
+    const Lighting lighting = lightingOf(scene);
+    const Viewpoint viewpoint = viewpointOf(scene.cameras.at(0), 1);
+    const auto drawn = [&](Renderer& renderer) {
+        renderer.setLighting(lighting);
+        EXPECT_TRUE(renderer.draw(viewpoint, target()));
+        return readBack();
+    };
+    const auto posed = [&](double seconds) {
+        Renderer renderer(gl());
+        [&] {
+#include "blocks/what-moves.inc"
+        }();
+        return drawn(renderer);
+    };
+    const Picture noon = posed(4), night = posed(8);
+    EXPECT_GT(compareLit(noon, night).mean, 5) << "it has moved";
+    Pose midnight;
+    ASSERT_TRUE(sample(scene, 0, 0, midnight));
+    ASSERT_TRUE(applyPose(scene, midnight));
+    Renderer renderer(gl());
+    ASSERT_TRUE(renderer.load(scene));
+    EXPECT_LE(compareLit(night, drawn(renderer)).shareAbove(1), 0.01) << "8 s later it is as at 0 s";
 }
 
 TEST_P(Readme, AKioskWarmsUpFromItsManifestAndKeepsItsMisses) {
