@@ -72,7 +72,7 @@ void addShow(List& list) {
          "orbit: round the model, all of it in the picture; file: through the cameras of the file, "
          "where it has any."});
     list.push_back({"show.animations", Switch{[](Config& c) -> bool& { return c.show.animations; }},
-                    "Play the first animation of each file, again and again."});
+                    "Play the animations of each file, one after the other."});
     list.push_back({"show.background",
                     Text{.of = [](Config& c) -> std::string& { return c.show.background; },
                          .check = checkBy<parseColor>,

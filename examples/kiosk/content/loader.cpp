@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kMaxCaptionBytes = 4096;
 
-constexpr int kMoments = 12; // Of an animation, at which a model is measured.
+constexpr std::size_t kMoments = 12;      // Of an animation, at which a model is measured.
+constexpr std::size_t kMostMoments = 120; // Of all of them, however many there are.
 
 /// What a scene passes through as it turns about an upright axis.
 class Swept {
@@ -56,12 +57,18 @@ franken::Box sweptBy(franken::Scene& scene, const std::stop_token& cancel) {
     swept.add(scene);
     if (scene.animations.empty())
         return swept.box();
-    franken::Pose pose;
-    for (int moment = 0; moment < kMoments && !cancel.stop_requested(); ++moment)
-        if (franken::sample(scene, 0, double{scene.animations.front().duration} * moment / kMoments, pose) &&
+    const std::size_t count = scene.animations.size(), all = std::min(count * kMoments, kMostMoments);
+    const franken::Pose rest = franken::restPose(scene);
+    for (std::size_t moment = 0; moment < all && !cancel.stop_requested(); ++moment) {
+        const std::size_t animation = moment % count, share = moment / count;
+        const double duration = scene.animations[animation].duration;
+        franken::Pose pose = rest;
+        if (franken::sample(scene, static_cast<int>(animation),
+                            duration * static_cast<double>(share) / kMoments, pose) &&
             franken::applyPose(scene, pose))
             swept.add(scene);
-    [[maybe_unused]] const auto rested = franken::applyPose(scene, franken::restPose(scene));
+    }
+    [[maybe_unused]] const auto rested = franken::applyPose(scene, rest);
     return swept.box();
 }
 

@@ -15,7 +15,7 @@ namespace kiosk {
 struct LoadedModel {
     std::filesystem::path path;
     franken::Result<franken::Scene> scene;
-    /// What the model passes through as it turns about the middle of its box, and plays its first animation.
+    /// What the model passes through as it turns about the middle of its box, and plays its animations.
     franken::Box swept;
     std::string caption;
     std::vector<std::string> warnings;

@@ -56,7 +56,6 @@ void View::setAspect(double aspect) {
 
 void View::advance(double seconds) {
     if (!m_paused) {
-        m_time += seconds;
         if (m_turnSeconds > 0 && m_camera == franken::kNone) {
             franken::Orbit goal = m_orbit.goal();
             goal.yaw += 2 * std::numbers::pi * seconds / m_turnSeconds;
@@ -64,7 +63,9 @@ void View::advance(double seconds) {
         }
     }
     m_settling = m_orbit.advance(seconds).value();
-    m_isPosed = playsAnimation() && franken::sample(m_still, 0, m_time, m_pose, franken::Ends::Loop);
+    m_isPosed = playsAnimation();
+    if (m_isPosed)
+        m_player.advance(m_still, m_paused ? 0 : seconds);
 }
 
 bool View::moves() const {
@@ -78,7 +79,7 @@ Camera View::camera() const {
     Camera camera = m_still.cameras[static_cast<std::size_t>(m_camera)];
     if (m_isPosed) {
         std::vector<franken::NodeWorld> worlds;
-        franken::worldsOf(m_still, m_pose, worlds);
+        franken::worldsOf(m_still, m_player.pose(), worlds);
         franken::follow(worlds, camera);
     }
     return camera;

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "franken/orbit_camera.h"
-#include "franken/pose.h"
 #include "franken/scene.h"
 #include "kiosk/config/config.h"
+#include "kiosk/show/player.h"
 
 #include <optional>
 
 namespace kiosk {
 
 /// Where one looks at a model from: round it, or through one of its file's cameras; and the pose that its
-/// animation gives it.
+/// animations give it.
 class View {
 public:
     /// `still`: the scene; its meshes and images are not needed. `bounds`: what it
@@ -28,7 +28,7 @@ public:
 
     franken::Camera camera() const;
     /// Nothing without an animation.
-    const franken::Pose* pose() const { return m_isPosed ? &m_pose : nullptr; }
+    const franken::Pose* pose() const { return m_isPosed ? &m_player.pose() : nullptr; }
     const franken::Scene& still() const { return m_still; }
     const franken::Box& bounds() const { return m_bounds; }
 
@@ -46,9 +46,9 @@ private:
     franken::OrbitCamera m_orbit;
     int m_camera = franken::kNone; ///< Of the file's; kNone: round the model.
     bool m_wantsFile = false;      ///< By the configuration: the file's cameras.
-    double m_turnSeconds = 0, m_time = 0;
+    double m_turnSeconds = 0;
     bool m_animations = true, m_paused = false, m_isPosed = false, m_settling = false;
-    franken::Pose m_pose;
+    Player m_player;
 };
 
 } // namespace kiosk
