@@ -125,6 +125,20 @@ std::vector<MalformedFile> greedyMeshes() {
                     file.json["nodes"][0]["weights"] = Json(100, 1);
                     file.json["nodes"][0].erase("skin");
                 }),
+        changed("a-morph-of-a-million-corners-at-500-nodes",
+                [](GltfBuilder& file) {
+                    Json& primitive = file.json["meshes"][0]["primitives"][0];
+                    const int positions = file.append("accessors", zeros(3, "VEC3"));
+                    primitive = {{"attributes", {{"POSITION", positions}, {"NORMAL", positions}}}};
+                    primitive["targets"] = {{{"POSITION", positions}}};
+                    primitive["indices"] =
+                        file.accessor("SCALAR", GltfBuilder::kUByte, std::vector<unsigned char>(1000000, 0));
+                    file.json["nodes"] = Json(500, Json{{"mesh", 0}});
+                    file.json["scenes"][0]["nodes"] = Json::array();
+                    for (int i = 0; i < 500; ++i)
+                        file.json["scenes"][0]["nodes"].push_back(i);
+                    file.json["extensions"].clear();
+                }),
         changed("2000-skins-of-4000-joints",
                 [](GltfBuilder& file) {
                     file.json["skins"] = {{{"joints", Json(4000, 0)}}};
