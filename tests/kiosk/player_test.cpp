@@ -43,6 +43,8 @@ TEST(KioskPlayer, OneAnimationGoesRound) {
     EXPECT_NEAR(xOf(player, 0), 4, 1e-9);
     player.advance(scene, 0);
     EXPECT_NEAR(xOf(player, 0), 4, 1e-9) << "paused";
+    player.advance(scene, 20.25);
+    EXPECT_NEAR(xOf(player, 0), 6, 1e-9) << "in one step";
 }
 
 // The first lasts two rounds, 6 s, the second one, 5 s.
@@ -65,6 +67,10 @@ TEST(KioskPlayer, SeveralFollowEachOtherAndFade) {
     advance(3.75);
     EXPECT_NEAR(xOf(player, 0), 1 * 0.5, 1e-6) << "the first again";
     EXPECT_NEAR(xOf(player, 1), 1 * 0.5, 1e-6);
+    Player other;
+    other.advance(scene, 10.25 + 3 * (5.5 + 4.5));
+    EXPECT_NEAR(xOf(other, 0), 1 * 0.5, 1e-6) << "in one step, three times round";
+    EXPECT_NEAR(xOf(other, 1), 1 * 0.5, 1e-6);
 }
 
 TEST(KioskPlayer, AnAnimationOfNoDurationStaysAWhile) {

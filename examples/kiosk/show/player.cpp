@@ -31,13 +31,13 @@ void Player::advance(const franken::Scene& scene, double seconds) {
         [[maybe_unused]] const auto sampled =
             franken::sample(scene, animation, time, out, franken::Ends::Loop);
     };
-    m_time += std::min(seconds, kLeastSeconds - kFadeSeconds); // At most one animation ends.
+    m_time += seconds;
     if (count == 1) {
         if (const double round = durationOf(scene, 0); round > 0)
             m_time = std::fmod(m_time, round);
         return pose(0, m_time, m_pose);
     }
-    if (const double span = spanOf(scene, m_animation); m_time >= span) {
+    for (double span = spanOf(scene, m_animation); m_time >= span; span = spanOf(scene, m_animation)) {
         m_time -= span - kFadeSeconds;
         m_animation = (m_animation + 1) % count;
     }
