@@ -244,6 +244,8 @@ void checkTogether(const Options& options) {
                                             options.manifest, options.snippets, options.effect};
     if (const Result<void> checked = checkOutputs(options, inputs); !checked)
         throw CLI::ValidationError("--output-file", checked.error().what);
+    if (options.look.energy && options.look.brdf == Brdf::Seed)
+        throw CLI::ValidationError("--energy", "the reflectance model 'seed' has no such form");
     if (options.frames > 0 && options.animation.empty())
         throw CLI::ValidationError("--frames", "it needs --animation");
     checkStrip(options);
@@ -344,6 +346,7 @@ void addHeights(CLI::App& app, Options& options) {
 void addLook(CLI::App& app, Look& look) {
     addChoice(app, "--tone-map", look.toneMap, "The tone map", "toneMap");
     addChoice(app, "--brdf", look.brdf, "The reflectance model", "brdf");
+    app.add_flag("--energy", look.energy, "Rough surfaces keep what is scattered between their facets");
     addChoice(app, "--output", look.output, "How colours are encoded", "output");
     addChoice(app, "--decode", look.decode, "How colour textures are decoded", "decode", "decode-");
     addChoice(app, "--view", look.view, "What is shown of the materials", "view", "view-");

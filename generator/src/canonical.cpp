@@ -105,6 +105,9 @@ constexpr Rule kRules[] = {
     {"reflection",
      [](const Permutation& p) { return p.reflection != Reflection::None && p.ambient != Ambient::Sky; },
      "there is no sky to reflect", "add 'sh', or drop the word"},
+    {"energy", [](const Permutation& p) { return p.energy && p.brdf == Brdf::Seed; },
+     "the BRDF 'seed' has no form that keeps what is scattered between facets",
+     "drop the word, or take another BRDF"},
     {"spots", [](const Permutation& p) { return p.spots && p.punctualLights == 0; },
      "there is no punctual light", "add 'punctual1', or drop the word"},
 };

@@ -88,6 +88,8 @@ constexpr Option kBrdf[] = {{"gltf", "glTF 2.0, appendix B"},
                             {"seed", "Schlick-GGX, k = (r+1)^2/8"},
                             {"fast", "Hammon 2017"},
                             {"schlick", "Schlick-GGX, k = alpha/2"}};
+constexpr Option kEnergy[] = {{"no-energy", "what is scattered between facets is lost"},
+                              {"energy", "rough surfaces keep what is scattered between their facets"}};
 constexpr Option kDecode[] = {{"decode-srgb", "textures decoded by the exact sRGB curve"},
                               {"decode-fast", "textures decoded by a cubic"},
                               {"decode-none", "textures taken as linear"}};
@@ -145,6 +147,7 @@ constexpr std::array kChoices = {
     choice<&Permutation::spots>("spots", false, 76, 1, kSpots),
     choice<&Permutation::lightVectors>("lightVectors", false, 77, 2, kLightVectors),
     choice<&Permutation::brdf>("brdf", false, 79, 4, kBrdf),
+    choice<&Permutation::energy>("energy", false, 110, 1, kEnergy),
     choice<&Permutation::decode>("decode", false, 83, 3, kDecode),
     choice<&Permutation::toneMap>("toneMap", false, 86, 4, kToneMap),
     choice<&Permutation::output>("output", false, 90, 4, kOutput),
@@ -170,7 +173,6 @@ constexpr ReservedBits kReserved[] = {
     {"driver workarounds", 100, 4},
     {"shadows of four suns", 104, 4},
     {"shadow filter", 108, 2},
-    {"energy compensation", 110, 1},
     {"specular occlusion", 111, 1},
     {"roughness from normals", 112, 1},
     {"spare bits", 114, 6},

@@ -56,6 +56,7 @@ constexpr Change kRungs[] = {
     [](Permutation& p) { p.effect = {}; },
     [](Permutation& p) { p.target = Target::Generic; },
     [](Permutation& p) { p.dither = Dither::None; },
+    [](Permutation& p) { p.energy = false; },
     keepTwoLightsOfEach,
     keepOneLight,
     [](Permutation& p) { p.reflection = Reflection::None; },

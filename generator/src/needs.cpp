@@ -47,6 +47,7 @@ void findLight(const Permutation& p, Needs& n) {
     n.ambient = lit && p.ambient != Ambient::None;
     n.skyLit = n.ambient && dependsOnNormal(p.ambient);
     n.reflection = n.ambient && p.reflection != Reflection::None;
+    n.energy = (n.direct || n.reflection) && p.energy;
     n.emissive = lit && p.emissive != Emissive::None;
     findHooks(p, n);
     n.occlusion = (n.ambient || (n.material && p.view == View::Occlusion)) && p.occlusion != Occlusion::None;

@@ -27,6 +27,7 @@ struct Needs {
     bool encoded;    ///< ... and stays in sRGB codes, because decode and encode would cancel.
     bool base;       ///< The base colour's RGB or alpha is read.
     bool reflection; ///< The sky's reflection.
+    bool energy;     ///< What is scattered between facets is given back.
     bool skinned;    ///< Joints move the vertices.
     bool normal;     ///< A normal per pixel.
     bool normalMap;  ///< ... from a map.

@@ -56,6 +56,15 @@ Float4 packReflectance(float metallic, Brdf brdf) {
     return {kDielectricScatters * (1 - metallic), metallic, dielectric, 1 - dielectric};
 }
 
+// The constants of docs/energy_fit.py. They make log2(1 / E - 1) of log2 N.V, of the logarithm of the square
+// under Smith's root, and of nothing.
+Float4 packEnergy(float roughness) {
+    const float r = std::max(roughness, kMinRoughness);
+    const float alpha = r * r;
+    return {2.1805f - 3.3946f * r + 2.0739f * alpha, -2.0794f + 2.5582f * r - 0.673f * alpha,
+            0.6966f - 0.0497f * r + 0.5182f * alpha + 4.1169f * std::log2(r), alpha * alpha};
+}
+
 // The power part of the sRGB curve (IEC 61966-2-1) turns a factor of light into a scale and an offset of
 // codes.
 std::array<Float3, 2> packEncoded(const Float3& factor) {
@@ -74,6 +83,12 @@ constexpr float kMostOfALightFp16 = 16;
 
 float reflectionBend(float roughness, float metallic) { return roughness * roughness * (metallic + 0.6f); }
 
+float energyCompensation(float nDotV, float roughness) {
+    const Float4 energy = packEnergy(roughness);
+    const float smith2 = nDotV * nDotV * (1 - energy[3]) + energy[3];
+    return std::exp2(energy[0] * std::log2(nDotV) + energy[1] * std::log2(smith2) + energy[2]);
+}
+
 MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float exposure) {
     const Float3 base = {factors.baseColor[0], factors.baseColor[1], factors.baseColor[2]};
     const float bend = reflectionBend(factors.roughness, factors.metallic);
@@ -86,6 +101,7 @@ MaterialBlock packMaterial(const MaterialFactors& factors, Brdf brdf, float expo
             .reflectance = packReflectance(factors.metallic, brdf),
             .lobe = packLobe(factors.roughness, brdf),
             .reflectionLobe = {factors.roughness, bend, 2 - bend},
+            .energy = packEnergy(factors.roughness),
             .occlusion = {factors.occlusionStrength, 1 - factors.occlusionStrength},
             .emissive = emissive,
             .emissiveCubic = {scaled(emissive, kDecodeCubic[0]), scaled(emissive, kDecodeCubic[1]),
@@ -192,6 +208,7 @@ constexpr PackField kFields[] = {
     {Block::Material, "uReflectance", offsetof(MaterialBlock, reflectance)},
     {Block::Material, "uLobe", offsetof(MaterialBlock, lobe)},
     {Block::Material, "uReflectionLobe", offsetof(MaterialBlock, reflectionLobe)},
+    {Block::Material, "uEnergy", offsetof(MaterialBlock, energy)},
     {Block::Material, "uOcclusion", offsetof(MaterialBlock, occlusion)},
     {Block::Material, "uEmissive", offsetof(MaterialBlock, emissive)},
     {Block::Material, "uEmissiveCubic", offsetof(MaterialBlock, emissiveCubic)},

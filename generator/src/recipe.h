@@ -23,7 +23,7 @@ struct Row {
     UvStream Permutation::*uv = nullptr; ///< The stream that ${uv} stands for.
 };
 
-inline constexpr std::size_t kMaxRows = 192;
+inline constexpr std::size_t kMaxRows = 256;
 
 std::span<const Row> recipe();
 

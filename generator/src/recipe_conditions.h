@@ -31,6 +31,7 @@ inline bool lightsPerVertex(N n) {
 
 inline constexpr Condition kDirect = needs<&Needs::direct>;
 inline constexpr Condition kReflected = needs<&Needs::reflection>;
+inline constexpr Condition kEnergy = needs<&Needs::energy>;
 inline constexpr Condition kTextured = needs<&Needs::textured>;
 inline constexpr Condition kNormal = needs<&Needs::normal>;
 // Where a vertex is moved before it is projected.
@@ -91,8 +92,12 @@ inline bool separateLobe(P p, N n) {
 inline bool readsRoughness(P p, N n) {
     return n.roughness && (n.textured || looked(p, n) || directInFp16(p, n));
 }
+// Each light is tinted by the base colour at once, so that there is one sum.
+inline bool tintsAtOnce(P, N n) { return n.direct && (n.reflection || n.energy); }
+// Where Smith's root stands in the fit of what is scattered between facets.
+inline bool fitsEnergy(P, N n) { return n.direct && n.energy && n.textured && !n.reflection; }
 inline bool roots(P p, N n) {
-    return n.lightForm == LightForm::PixelFew ||
+    return fitsEnergy(p, n) || n.lightForm == LightForm::PixelFew ||
            (n.lightForm == LightForm::PixelUnit && !anglesByLogarithms(p, n)) ||
            (n.direct && p.brdf == Brdf::Gltf);
 }

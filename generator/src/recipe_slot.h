@@ -19,7 +19,7 @@ struct Form {
     UvStream Permutation::*uv = nullptr; ///< The stream that it reads.
 };
 
-inline constexpr std::size_t kMaxForms = 11;
+inline constexpr std::size_t kMaxForms = 12;
 
 /// A place in the text. Where `when` holds, the first form that applies stands there.
 struct Slot {

@@ -174,6 +174,7 @@ constexpr Contradiction kContradictions[] = {
     {"emissive-factor.emissive-uv1", "emissive-uv1"},
     {"reflection+ambient+sun1", "reflection"},
     {"spots+sun1", "spots"},
+    {"sun1+seed+energy", "energy"},
 };
 
 TEST(Canonical, RefusesContradictions) {

@@ -246,6 +246,12 @@ std::vector<PictureRow> pictureRows() {
     std::vector<PictureRow> rows = {
         {"dielectric", [] { return ball(plain(0, 0.3f)); }},
         {"metal", [] { return ball(plain(1, 0.3f)); }},
+        {"metal_energy",
+         [] {
+             Shot shot = ball(plain(1, 0.8f));
+             shot.look.energy = true;
+             return shot;
+         }},
         {"base_color_texture", textured},
         {"normal_map", bumpy},
         {"packed_textures", packed},

@@ -235,8 +235,8 @@ protected:
 
 INSTANTIATE_TEST_SUITE_P(Backends, SkyModel, allBackends(), backendName);
 
-/// That viewer adds what is scattered between microfacets several times, and a Fresnel term that depends on
-/// roughness, so its rough metals are a little brighter.
+/// That viewer adds what is scattered between microfacets several times, as Look::energy does, and a Fresnel
+/// term that depends on roughness.
 TEST_P(SkyModel, WaterBottleLooksAsInTheKhronosViewer) {
     const Sky* sky = venice();
     const std::filesystem::path model = findShared("reference/scenes/WaterBottle/WaterBottle.gltf");
@@ -246,11 +246,16 @@ TEST_P(SkyModel, WaterBottleLooksAsInTheKhronosViewer) {
     lightBy(*sky, shot);
     for (const std::string name : {"WaterBottle.ibl_sun", "WaterBottle.ibl"}) {
         const Picture expected = readPicture(findShared("reference/sky/" + name + ".khronos.png"));
-        const Picture actual = draw(shot);
-        const Difference difference = compareLit(actual, expected);
-        std::cout << name << ": " << difference << "\n";
-        EXPECT_LE(difference.mean, 8)
-            << writeDifference(name + "." + std::string(toString(GetParam())), actual, expected);
+        for (const bool energy : {false, true}) {
+            shot.look.energy = energy;
+            const Picture actual = draw(shot);
+            const Difference difference = compareLit(actual, expected);
+            std::cout << name << (energy ? " with energy: " : ": ") << difference << "\n";
+            // Found: 4.6 and 5.2, with energy 4.5 and 4.8. That viewer's split sum is 4 to 13 codes off brute
+            // force (generator/docs/sky.md).
+            EXPECT_LE(difference.mean, energy ? 5 : 5.4)
+                << writeDifference(name + "." + std::string(toString(GetParam())), actual, expected);
+        }
         shot.lighting.suns.clear();
     }
 }

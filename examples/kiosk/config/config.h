@@ -34,6 +34,7 @@ struct Config {
         std::string background = "0.02,0.02,0.03";
         double exposure = 1;
         std::string toneMap = "neutral";
+        bool energy = true;
         std::string sky;
         Texts suns;
         std::string ambient = "0.2,0.21,0.23";

@@ -85,6 +85,9 @@ void addShow(List& list) {
                     Text{.of = [](Config& c) -> std::string& { return c.show.toneMap; },
                          .words = {"clip", "reinhard", "aces", "neutral"}},
                     "How light above white is brought into the screen's range."});
+    list.push_back({"show.energy", Switch{[](Config& c) -> bool& { return c.show.energy; }},
+                    "Rough surfaces keep the light that is scattered between their facets, which costs a few "
+                    "instructions a pixel; false: they are darker."});
     list.push_back({"show.sky",
                     Text{.of = [](Config& c) -> std::string& { return c.show.sky; }, .isPath = true},
                     "A sky that lights the models and is seen behind them; best one that `bake` has made: a "

@@ -48,7 +48,8 @@ franken::Lighting lightingFor(const franken::Scene& scene, const Config& config,
 }
 
 franken::Look lookFor(const Config& config, const std::string& driver, bool isCoarse, bool srgbTarget) {
-    franken::Look look{.toneMap = toneMapOf(config.show.toneMap), .srgbTarget = srgbTarget};
+    franken::Look look{
+        .energy = config.show.energy, .toneMap = toneMapOf(config.show.toneMap), .srgbTarget = srgbTarget};
     if (isCoarse)
         look.dither = franken::Dither::Ordered;
     if (driver.find("VC4") != std::string::npos)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "expected_pixel.h"
 
+#include "franken/generator/pack.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +18,21 @@ bool isLit(const Permutation& p) {
     return p.program == Program::Surface && p.view == View::Shaded && p.shading == Shading::Lit;
 }
 
+/// 1 / E - 1 of the scene, where the program gives that back.
+float compensation(const Permutation& p) {
+    if (!p.energy)
+        return 0;
+    constexpr float kLookup =
+        2; // The white texels' share, which only a program of the sky's reflection reads.
+    return p.reflection != Reflection::None ? 1 / kLookup - 1 : energyCompensation(1, Scene::kRoughness);
+}
+
+/// Of specular light, of which F0 `scale` + `bias` is reflected: a metal's and a dielectric's share.
+float specular(const Permutation& p, float base, float scale, float bias) {
+    const auto layer = [&](float f0) { return (f0 * scale + bias) * (1 + f0 * compensation(p)); };
+    return Scene::kMetallic * layer(base) + (1 - Scene::kMetallic) * layer(0.04f);
+}
+
 /// What a surface reflects of one light: pi D V is 1 / (4 alpha^2), and Schlick's term 0.
 float reflectedLight(const Permutation& p, float base) {
     constexpr float kAlpha = Scene::kRoughness * Scene::kRoughness, kLobe = 1 / (4 * kAlpha * kAlpha);
@@ -23,14 +40,14 @@ float reflectedLight(const Permutation& p, float base) {
     if (p.brdf == Brdf::Seed) // One F_0, which takes its share of the scattered light from each channel.
         return (1 - kMetal) * (1 - kDielectric - kMetal * base) * base +
                (kMetal * base + kDielectric) * kLobe;
-    return (kMetal * base + kDielectric) * kLobe + 0.96f * (1 - kMetal) * base;
+    return specular(p, base, kLobe, 0) + 0.96f * (1 - kMetal) * base;
 }
 
 /// The lookup's texels are white: F_0 and 1 are reflected, all of it irradiance.
 float ambientLight(const Permutation& p, float base) {
     constexpr float kMetal = Scene::kMetallic;
     if (p.reflection != Reflection::None)
-        return Scene::kAmbient * (kMetal * base + 0.04f * (1 - kMetal) + 1 + 0.96f * (1 - kMetal) * base);
+        return Scene::kAmbient * (specular(p, base, 1, 1) + 0.96f * (1 - kMetal) * base);
     if (p.ambient == Ambient::None)
         return 0;
     return Scene::kAmbient * base * (dependsOnNormal(p.ambient) ? 0.96f * (1 - kMetal) : 1);

@@ -166,6 +166,7 @@ private:
 
 void apply(const Look& look, Permutation& permutation) {
     permutation.brdf = look.brdf;
+    permutation.energy = look.energy;
     permutation.decode = look.decode;
     permutation.toneMap = look.toneMap;
     permutation.output = look.srgbTarget ? Output::Linear : look.output;

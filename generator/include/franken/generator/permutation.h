@@ -182,6 +182,11 @@ struct Permutation {
 
     Shading shading = Shading::Lit;
     Brdf brdf = Brdf::Gltf;
+    /// What a rough surface scatters between its facets is given back, for lights and the sky's reflection:
+    /// all of a white metal's light. Each colour's specular light is multiplied by 1 + F0 (1 / E - 1), with
+    /// the share E that leaves after one reflection (Turquin, "Practical multiple scattering compensation for
+    /// microfacet models", 2019). Brdf::Seed has no such form.
+    bool energy = false;
     Ambient ambient = Ambient::None;
     Reflection reflection = Reflection::None;
     std::uint8_t suns = 0;           ///< Directional lights, 0 to kMaxLights.

@@ -63,7 +63,8 @@ using Texel = std::array<std::uint8_t, 4>;
 
 inline constexpr Texel kWhite = {255, 255, 255, 255}; ///< Factors alone remain.
 inline constexpr Texel kFlat = {128, 128, 255, 255};  ///< The normal (0, 0, 1).
-inline constexpr Texel kBlack = {0, 0, 0, 0};         ///< Nothing shines, and nothing is reflected.
+inline constexpr Texel kBlack = {0, 0, 0, 0};         ///< Nothing shines.
+inline constexpr Texel kLossless = {255, 0, 0, 0};    ///< A mirror: nothing is scattered between facets.
 
 /// The table: textureRoles() returns it.
 inline constexpr TextureRoleRow kRows[] = {
@@ -94,7 +95,7 @@ inline constexpr TextureRoleRow kRows[] = {
     {TextureRole::Reflection, "reflection", "reflection", "uReflectionTexture", 6, nullptr,
      [](P p) { return p.reflection != Reflection::None; }, TextureContents::Numbers, kBlack, false, ""},
     {TextureRole::ReflectionLookup, "reflection's lookup", "reflection", "uReflectionLookup", 7, nullptr,
-     [](P p) { return p.reflection != Reflection::None; }, TextureContents::Numbers, kBlack, false, ""},
+     [](P p) { return p.reflection != Reflection::None; }, TextureContents::Numbers, kLossless, false, ""},
 };
 
 } // namespace roles

@@ -18,6 +18,9 @@ namespace FRANKEN_API franken {
 /// Choices for a whole picture, whatever its materials.
 struct Look {
     Brdf brdf = Brdf::Gltf;
+    /// Rough surfaces keep what is scattered between their facets (Permutation::energy). Not with Brdf::Seed,
+    /// which draw() refuses beside it.
+    bool energy = false;
     LightVectors lightVectors = LightVectors::PerPixel; ///< Per vertex: where a mesh is fine enough for it.
     Decode decode = Decode::Exact;
     ToneMap toneMap = ToneMap::None;

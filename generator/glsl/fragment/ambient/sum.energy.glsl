@@ -1,0 +1,5 @@
+// SPDX-License-Identifier: MIT
+// The sum that lights are added to.
+//! main
+  Sum sum;
+  sum.color = base.rgb * irradiance;
