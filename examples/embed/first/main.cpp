@@ -9,8 +9,13 @@
 
 using namespace franken;
 
-Result<void> show(const Scene& scene, const Gl& gl, platform::Surface& surface) {
-    Renderer renderer(gl);
+Result<void> show(const Scene& scene, platform::Surface& surface) {
+    if (!surface.hasContext())
+        return Error{"first.screen", "kms", surface.status(), "connect a screen, or leave kms out"};
+    const Result<Gl> gl = Gl::load(surface.getProcAddress());
+    if (!gl)
+        return gl.error();
+    Renderer renderer(*gl);
     renderer.setLighting({.suns = {{.direction = {-1, -2, -3}, .illuminance = 3}},
                           .ambient = {.kind = Ambient::Color, .color = {0.3f, 0.3f, 0.3f}}});
     OrbitCamera camera(framingCamera(scene.bounds(), 1), scene.bounds());
@@ -33,9 +38,8 @@ Result<void> show(const Scene& scene, const Gl& gl, platform::Surface& surface) 
 int main(int count, char** words) {
     const auto backend = count > 2 ? platform::Backend::Kms : platform::Backend::Window;
     const auto surface = platform::create(backend, {.size = {640, 480}});
-    const auto gl = surface ? Gl::load((*surface)->getProcAddress()) : surface.error();
-    const auto scene = gl ? loadGltf(count > 1 ? words[1] : "model.glb") : gl.error();
-    const auto done = scene ? show(*scene, *gl, **surface) : scene.error();
+    const auto scene = surface ? loadGltf(count > 1 ? words[1] : "model.glb") : surface.error();
+    const auto done = scene ? show(*scene, **surface) : scene.error();
     if (!done)
         std::cerr << toString(done.error()) << "\n";
     return done ? 0 : 1;
