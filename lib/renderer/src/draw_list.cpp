@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace franken {
@@ -91,6 +92,7 @@ void DrawList::rebuild(const std::vector<Model*>& shown) {
     m_opaque.clear();
     m_blended.clear();
     m_backToFront.clear();
+    m_frontToBack.clear();
     m_materials.clear();
     m_placedFor.reset();
     m_visible = 0;
@@ -98,6 +100,7 @@ void DrawList::rebuild(const std::vector<Model*>& shown) {
     for (Model* model : shown)
         add(*model);
     m_backToFront.reserve(m_blended.size());
+    m_frontToBack.reserve(m_opaque.size());
     for (const std::vector<Object>* objects : {&m_opaque, &m_blended})
         for (const Object& object : *objects)
             m_materials.push_back(object.material);
@@ -132,15 +135,40 @@ void DrawList::add(Model& model) {
                         .order = static_cast<unsigned>(m_opaque.size())});
 }
 
+// What is discarded leaves no depth early: masked surfaces come after all that can hide them.
 void DrawList::sort() {
-    const auto order = [](const Object& object) {
+    const auto groupOf = [](const Object& object) {
         const ProgramHandle& program = object.material->program;
         const bool samples = program && !program->interface().samplers.empty();
-        return std::tuple(samples, program ? program->name() : 0, object.order);
+        const bool masked = object.material->plan.permutation.alpha == Alpha::Mask;
+        return std::tuple(masked, samples, program ? program->name() : 0);
     };
-    std::sort(m_opaque.begin(), m_opaque.end(),
-              [&](const Object& a, const Object& b) { return order(a) < order(b); });
+    std::sort(m_opaque.begin(), m_opaque.end(), [&](const Object& a, const Object& b) {
+        return std::pair(groupOf(a), a.order) < std::pair(groupOf(b), b.order);
+    });
+    for (std::size_t i = 1; i < m_opaque.size(); ++i)
+        m_opaque[i].group =
+            m_opaque[i - 1].group + (groupOf(m_opaque[i - 1]) != groupOf(m_opaque[i]) ? 1 : 0);
     m_placedFor.reset();
+}
+
+// Few slices, so that most objects of a material still follow each other.
+void DrawList::sortFrontToBack(const Viewpoint& viewpoint) {
+    constexpr double kSlices = 16;
+    const auto depthOf = [&](const Object& object) {
+        return glm::dot(object.bounds.center - viewpoint.eye, viewpoint.forward);
+    };
+    double nearest = std::numeric_limits<double>::max(), farthest = -nearest;
+    for (const Layer& layer : m_frontToBack) {
+        nearest = std::min(nearest, depthOf(*layer.object));
+        farthest = std::max(farthest, depthOf(*layer.object));
+    }
+    const double scale = farthest > nearest ? (kSlices - 1) / (farthest - nearest) : 0;
+    for (Layer& layer : m_frontToBack)
+        layer.slice = static_cast<int>((depthOf(*layer.object) - nearest) * scale + 0.5);
+    std::sort(m_frontToBack.begin(), m_frontToBack.end(), [](const Layer& a, const Layer& b) {
+        return std::tie(a.object->group, a.slice, a.object) < std::tie(b.object->group, b.slice, b.object);
+    });
 }
 
 /// Whether the object is visible; a visible one is placed, with the next serial.
@@ -172,14 +200,16 @@ void DrawList::place(const PlacedView& view, unsigned movements) {
     const Frustum frustum(viewpoint.viewProjection);
     const glm::dmat4 skyToClip = viewpoint.viewProjection * glm::dmat4(glm::transpose(view.skyFromWorld));
     m_nextSerial = newSerials(size());
-    m_visible = 0;
+    m_frontToBack.clear();
     for (Object& object : m_opaque)
-        m_visible += placeOne(object, frustum, skyToClip) ? 1 : 0;
+        if (placeOne(object, frustum, skyToClip))
+            m_frontToBack.push_back({&object, 0});
+    sortFrontToBack(viewpoint);
     m_backToFront.clear();
     for (Object& object : m_blended)
         if (placeOne(object, frustum, skyToClip))
             m_backToFront.push_back(&object);
-    m_visible += m_backToFront.size();
+    m_visible = m_frontToBack.size() + m_backToFront.size();
     const auto nearness = [&](const Object* object) { // Objects as deep keep their order: no sort is stable
         return std::pair(-glm::dot(object->bounds.center - viewpoint.eye, viewpoint.forward), object);
     }; // without allocating.

@@ -22,6 +22,7 @@ struct Object {
     GpuMesh* mesh;
     GpuMaterial* material;
     unsigned order;                   ///< By model, material and mesh.
+    unsigned group = 0;               ///< Of opaque objects of one program; groups in their order of drawing.
     unsigned movements = 0;           ///< Those of its place that the members above are for.
     Palette palette = {};             ///< Of a skin.
     std::uint64_t paletteSerial = 0;  ///< Of the palette of the mesh's first part; the others' follow.
@@ -60,7 +61,14 @@ public:
     /// Of the objects, each once.
     const std::vector<GpuMaterial*>& materials() const { return m_materials; }
 
-    const std::vector<Object>& opaque() const { return m_opaque; } ///< Visible ones and others.
+    /// An opaque object that is visible, by how deep it lies among those: slice 0 is the nearest.
+    struct Layer {
+        const Object* object;
+        int slice;
+    };
+    /// Program by program, masked ones last; of a program the nearest slice first, and within a slice by
+    /// material and mesh.
+    const std::vector<Layer>& frontToBack() const { return m_frontToBack; }
     const std::vector<const Object*>& backToFront() const {
         return m_backToFront;
     } ///< Blended and visible ones.
@@ -83,11 +91,13 @@ public:
 
 private:
     void add(Model& model);
+    void sortFrontToBack(const Viewpoint& viewpoint);
     bool placeOne(Object& object, const Frustum& frustum, const glm::dmat4& skyToClip);
 
     std::vector<Object> m_opaque, m_blended;
     std::vector<GpuMaterial*> m_materials;
     std::vector<const Object*> m_backToFront;
+    std::vector<Layer> m_frontToBack;
     std::optional<PlacedView> m_placedFor;
     unsigned m_movements = 0;
     bool m_canDeform = false; ///< One of the objects can.

@@ -283,9 +283,8 @@ void Frame::drawSides(const Object& object) {
 }
 
 void Frame::drawOpaque() {
-    for (const Object& object : m_list.opaque())
-        if (object.visible)
-            drawOne(object);
+    for (const DrawList::Layer& layer : m_list.frontToBack())
+        drawOne(*layer.object);
 }
 
 void Frame::drawSkybox() {
