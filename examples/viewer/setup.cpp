@@ -39,30 +39,6 @@ void addDefaultLight(Lighting& lighting) {
     lighting.ambient = {.kind = Ambient::Color, .color = {0.2f, 0.21f, 0.23f}};
 }
 
-} // namespace
-
-Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
-    const double aspect = static_cast<double>(options.size.width) / options.size.height;
-    if (options.frame || (options.camera.empty() && scene.cameras.empty()))
-        return framingCamera(scene.bounds(), aspect);
-    if (options.camera.empty())
-        return scene.cameras.front();
-    for (const auto name : {&Camera::name, &Camera::node})
-        for (const Camera& camera : scene.cameras)
-            if (camera.*name == options.camera)
-                return camera;
-    int index = kNone;
-    const char* const last = options.camera.data() + options.camera.size();
-    const auto [end, error] = std::from_chars(options.camera.data(), last, index);
-    if (error == std::errc() && end == last)
-        for (const Camera& camera : scene.cameras)
-            if (camera.index == index)
-                return camera;
-    return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
-}
-
-namespace {
-
 /// Index into Scene::animations of the one that the options mean.
 Result<int> chosenAnimation(const Scene& scene, const Options& options) {
     const auto isMeant = [&](const Animation& animation) {
@@ -79,7 +55,61 @@ Result<int> chosenAnimation(const Scene& scene, const Options& options) {
                  known.empty() ? "leave the option out: the file has no animations" : known};
 }
 
+/// Of the picture of that number, counted from 0, of Options::frames.
+Result<void> sampleFrame(const Scene& scene, int animation, const Options& options, int number, Pose& pose) {
+    const double round = scene.animations[static_cast<std::size_t>(animation)].duration;
+    return sample(scene, animation, options.time + round * number / options.frames, pose, Ends::Loop);
+}
+
+/// Of all pictures of Options::frames, or of the one where there are no frames. Of many, some are looked at.
+Result<Box> boundsOfPictures(const Scene& scene, const Options& options) {
+    constexpr int kMost = 60;
+    if (options.frames == 0)
+        return scene.bounds();
+    const Result<int> animation = chosenAnimation(scene, options);
+    if (!animation)
+        return animation.error();
+    Scene moved; // Without images, and what else does not move.
+    moved.meshes = scene.meshes;
+    moved.instances = scene.instances;
+    moved.nodes = scene.nodes;
+    moved.skins = scene.skins;
+    Box bounds;
+    Pose pose;
+    for (int number = 0; number < options.frames; number += 1 + options.frames / kMost) {
+        if (Result<void> posed = sampleFrame(scene, *animation, options, number, pose).and_then([&] {
+                return applyPose(moved, pose);
+            });
+            !posed)
+            return posed.error();
+        bounds.add(moved.bounds(), glm::dmat4(1));
+    }
+    return bounds;
+}
+
 } // namespace
+
+Result<Camera> chooseCamera(const Scene& scene, const Options& options) {
+    const double aspect = static_cast<double>(options.size.width) / options.size.height;
+    if (options.frame || (options.camera.empty() && scene.cameras.empty()))
+        return boundsOfPictures(scene, options).transform([aspect](const Box& bounds) {
+            return framingCamera(bounds, aspect);
+        });
+    if (options.camera.empty())
+        return scene.cameras.front();
+    for (const auto name : {&Camera::name, &Camera::node})
+        for (const Camera& camera : scene.cameras)
+            if (camera.*name == options.camera)
+                return camera;
+    int index = kNone;
+    const char* const last = options.camera.data() + options.camera.size();
+    const auto [end, error] = std::from_chars(options.camera.data(), last, index);
+    if (error == std::errc() && end == last)
+        for (const Camera& camera : scene.cameras)
+            if (camera.index == index)
+                return camera;
+    return Error{"viewer.camera", options.camera, "the file has no such camera", camerasOf(scene)};
+}
 
 Result<void> applyAnimation(Scene& scene, const Options& options) {
     if (options.animation.empty())
@@ -94,11 +124,8 @@ Result<void> applyFrame(Scene& scene, Camera& camera, const Options& options, in
     const Result<int> index = chosenAnimation(scene, options);
     if (!index)
         return index.error();
-    const double round = scene.animations[static_cast<std::size_t>(*index)].duration;
     Pose pose;
-    if (Result<void> sampled =
-            sample(scene, *index, options.time + round * number / options.frames, pose, Ends::Loop);
-        !sampled)
+    if (Result<void> sampled = sampleFrame(scene, *index, options, number, pose); !sampled)
         return sampled;
     std::vector<NodeWorld> worlds;
     worldsOf(scene, pose, worlds);

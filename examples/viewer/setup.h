@@ -9,8 +9,8 @@
 
 #include <string>
 
-/// The file's camera that the options ask for, or one that frames the model where it has none. Fails with
-/// "viewer.camera".
+/// The file's camera that the options ask for, or one that frames the model where it has none: in all
+/// pictures of Options::frames. Fails with "viewer.camera", and with "viewer.animation".
 franken::Result<franken::Camera> chooseCamera(const franken::Scene& scene, const Options& options);
 
 /// Moves the scene to the options' animation and time, if there is one. Fails with "viewer.animation".

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Pictures of an animation, or all around, side by side in one.
+#include "support/gltf_builder.h"
 #include "viewer_run.h"
+
+#include <array>
+#include <cstdint>
 
 namespace franken::test {
 namespace {
 
+using Json = GltfBuilder::Json;
 namespace fs = std::filesystem;
 
 /// The part of a strip that one of its pictures takes, the first being 0.
@@ -37,6 +42,31 @@ TEST_F(Viewer, PutsPicturesSideBySide) {
     EXPECT_EQ(run(model + "--turntable 547 --strip").code, 2) << "16410 pixels";
     fs::copy_file(FLOWER_GLB, m_folder / "flower.glb");
     EXPECT_EQ(run("flower.glb --turntable 2 --strip -o flower.glb").code, 2);
+}
+
+// A triangle that goes away to the right by twice its size: seen whole at the end, too, which is 7/8 of the
+// way.
+TEST_F(Viewer, FramesAllPicturesOfAnAnimation) {
+    GltfBuilder file;
+    file.setTriangle();
+    file.json["materials"] = {{{"extensions", {{"KHR_materials_unlit", Json::object()}}}}};
+    file.json["extensionsUsed"] = {"KHR_materials_unlit"};
+    file.json["meshes"][0]["primitives"][0]["material"] = 0;
+    const int times = file.floats("SCALAR", {0, 1}), ways = file.floats("VEC3", {0, 0, 0, 2, 0, 0});
+    file.json["animations"] = {
+        {{"samplers", {{{"input", times}, {"output", ways}}}},
+         {"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}}}};
+    std::ofstream(m_folder / "goes.glb", std::ios::binary) << file.bytes(true);
+    const Outcome outcome = run("goes.glb --animation 0 --frames 8 --strip --size 64x64 -o strip.png");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const Picture strip = readPicture(m_folder / "strip.png");
+    std::array<int, 8> covered{};
+    for (int number = 0; number < 8; ++number)
+        for (const Picture part = partOf(strip, number, 64); const std::uint8_t code : part.rgba)
+            covered[static_cast<std::size_t>(number)] += code == 255 ? 1 : 0;
+    EXPECT_GT(covered[0], 0);
+    for (const int count : covered)
+        EXPECT_NEAR(count, covered[0], 0.15 * covered[0] + 30) << "as large as in the first picture";
 }
 
 } // namespace
