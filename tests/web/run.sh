@@ -1,7 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# tests/web/run.sh build|module|playground|population: what CTest runs with the label "web". In the environment: SITE,
-# where the playground is built, BIN, where this build's programs are, and WORK, a folder of its own.
+# tests/web/run.sh build|module|playground|seeds|population: what CTest runs with the label "web". In the environment: SITE,
+# where the playground is built, BIN, where this build's programs are, WORK, a folder of its own, and SEEDS, where the
+# pages are that the presets are of. By hand: population, for example with
+#     SITE=build/dev/web BIN=build/dev/bin WORK=build/dev/web.tests tests/web/run.sh population
 set -eu
 here=$(CDPATH='' cd -- "$(dirname -- "$(readlink -f -- "$0")")" && pwd -P)
 
@@ -33,6 +35,9 @@ prepare() {
     flock -u 9
 }
 
+SITE=$(realpath -m "${SITE:?}") BIN=$(realpath -m "${BIN:?}") WORK=$(realpath -m "${WORK:?}")
+export SITE BIN WORK
+
 case ${1:-} in
 build)
     find /usr/lib/llvm-*/lib/wasm32-wasi/libc++.a >/dev/null 2>&1 || skip "there is no clang with WASI's libraries"
@@ -43,14 +48,15 @@ module)
     command -v node >/dev/null || skip "node is not installed"
     exec node --test "$here/module_test.mjs"
     ;;
-playground | population)
+playground | seeds | population)
+    [ "$1" != seeds ] || [ -d "$SEEDS" ] || skip "the pages that the presets are of are not there"
     [ -f "$SITE/playground.wasm.gz" ] || skip "the playground is not built"
     prepare
     cd "$WORK"
     exec node --test "$1_test.mjs"
     ;;
 *)
-    echo "usage: tests/web/run.sh build|module|playground|population" >&2
+    echo "usage: tests/web/run.sh build|module|playground|seeds|population" >&2
     exit 2
     ;;
 esac

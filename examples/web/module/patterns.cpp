@@ -8,6 +8,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
+#include <glm/trigonometric.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,37 +24,44 @@ constexpr int kTiles = 8;  ///< Each way.
 Primitive g_sphere;
 std::vector<std::uint8_t> g_texels;
 
-/// Where a texel lies: in which tile, and from -1 to 1 within it.
+/// Where a texel lies: how far down the texture, from -1 to 1 within its tile, and how much that tile is a
+/// dark one. No edge is sharp: renderers differ in how they filter, and pictures of several are compared.
 struct Place {
-    int column, row;
+    float down;
     glm::vec2 inTile;
+    float dark;
 };
 
 Place placeOf(int x, int y) {
     const glm::vec2 tile = (glm::vec2(x, y) + 0.5f) * (static_cast<float>(kTiles) / kSize);
-    const glm::vec2 corner = glm::floor(tile);
-    return {static_cast<int>(corner.x), static_cast<int>(corner.y), 2.0f * (tile - corner) - 1.0f};
+    const glm::vec2 waves = glm::sin(glm::pi<float>() * tile);
+    return {(static_cast<float>(y) + 0.5f) / kSize, 2.0f * (tile - glm::floor(tile)) - 1.0f,
+            1 - glm::smoothstep(-0.3f, 0.3f, waves.x * waves.y)};
 }
 
-bool isDark(const Place& place) { return (place.column + place.row) % 2 != 0; }
+/// 1 in the middle of a tile, 0 outside of a circle in it.
+float disc(const Place& place, float radius) {
+    return 1 - glm::smoothstep(radius - 0.25f, radius + 0.25f, glm::length(place.inTile));
+}
 
 glm::vec4 baseColor(const Place& place) {
-    const float alpha = glm::length(place.inTile) < 0.6f || isDark(place) ? 1 : 0.3f;
-    return isDark(place) ? glm::vec4(0.55f, 0.6f, 0.68f, alpha) : glm::vec4(0.95f, 0.9f, 0.8f, alpha);
+    const glm::vec3 color = glm::mix(glm::vec3(0.95f, 0.9f, 0.8f), glm::vec3(0.55f, 0.6f, 0.68f), place.dark);
+    return {color, glm::mix(1.0f, 0.3f, disc(place, 0.5f) * (1 - place.dark))};
 }
 
 /// Each tile is a shallow bump.
 glm::vec4 normal(const Place& place) {
-    const glm::vec2 slope =
-        0.5f * place.inTile * (1.0f - glm::smoothstep(0.6f, 1.0f, glm::length(place.inTile)));
+    const glm::vec2 slope = 0.5f * place.inTile * disc(place, 0.75f);
     return {0.5f + 0.5f * glm::normalize(glm::vec3(slope.x, -slope.y, 1)), 1};
 }
 
 float occlusion(const Place& place) {
-    return glm::smoothstep(0.0f, 0.4f, 1 - std::max(std::abs(place.inTile.x), std::abs(place.inTile.y)));
+    const glm::vec2 fromMiddle = glm::abs(place.inTile);
+    return 1 - 0.7f * glm::smoothstep(0.4f, 1.0f, std::max(fromMiddle.x, fromMiddle.y));
 }
-float roughness(const Place& place) { return static_cast<float>(place.row + 1) / kTiles; }
-float metalness(const Place& place) { return isDark(place) ? 1 : 0; }
+float roughness(const Place& place) { return 0.15f + 0.8f * place.down; }
+float metalness(const Place& place) { return place.dark; }
+float emission(const Place& place) { return disc(place, 0.4f) * (1 - place.dark); }
 
 glm::vec4 texel(TextureRole role, const Place& place) {
     switch (role) {
@@ -70,7 +78,7 @@ glm::vec4 texel(TextureRole role, const Place& place) {
     case TextureRole::Occlusion:
         return glm::vec4(glm::vec3(occlusion(place)), 1);
     case TextureRole::Emissive:
-        return glm::vec4(glm::vec3(glm::length(place.inTile) < 0.4f && !isDark(place) ? 1.0f : 0.0f), 1);
+        return glm::vec4(glm::vec3(emission(place)), 1);
     case TextureRole::Skybox:
     case TextureRole::Reflection:
     case TextureRole::ReflectionLookup:
@@ -89,7 +97,7 @@ using namespace franken::web;
 FRANKEN_EXPORT(makeSphere) void makeSphere(int rings) {
     g_sphere = sphere(1, rings);
     for (std::size_t i = 0; i < g_sphere.positions.size(); ++i) {
-        g_sphere.uv[1].push_back(2.0f * g_sphere.uv[0][i]);
+        g_sphere.uv[1].push_back(0.5f * g_sphere.uv[0][i]);
         g_sphere.colors.emplace_back(0.5f + 0.5f * g_sphere.normals[i], 1);
     }
     Json json;

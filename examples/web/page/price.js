@@ -114,8 +114,10 @@ export function priceTable(prices) {
   const row = (cells, kind) => {
     const line = table.insertRow();
     cells.forEach((text, i) => {
-      const cell = document.createElement(i === 0 || kind === "th" ? "th" : "td");
-      cell.scope = kind === "th" ? "col" : "row";
+      const isTitle = i === 0 || kind === "th";
+      const cell = document.createElement(isTitle ? "th" : "td");
+      if (isTitle)
+        cell.scope = kind === "th" ? "col" : "row";
       cell.textContent = text;
       line.append(cell);
     });

@@ -6,8 +6,8 @@ const kIdentity3 = [1, 0, 0, 0, 1, 0, 0, 0, 1];
 const kIdentity4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 const kRings = 48;
 
-/** A second pattern of coordinates, to be seen: twice as fine, and turned a little. */
-const kTransformed = [1.9, 0.6, 0, -0.6, 1.9, 0, 0, 0, 1];
+/** A transform of coordinates that is seen: turned a little. */
+const kTransformed = [0.95, 0.3, 0, -0.3, 0.95, 0, 0, 0, 1];
 
 function copied(library, arrays) {
   const numbers = {};

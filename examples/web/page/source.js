@@ -60,7 +60,7 @@ async function commentsOf(file) {
   const answer = await fetch(file.replace("generator/", ""));
   if (!answer.ok)
     return "";
-  return (await answer.text()).split("\n").filter((line) => line.startsWith("//")).join("\n");
+  return (await answer.text()).split("\n").filter((line) => /^\/\/ (?!SPDX)/.test(line)).join("\n");
 }
 
 export class SourceView {
