@@ -372,13 +372,19 @@ TEST_F(KmsScreenTest, TurnsThePictureAsTheKernelsCommandLineSays) {
 TEST_F(KmsScreenTest, CountsAFrameThatCameLate) {
     open();
     screen->present(11, now);
-    flip(100);
+    flip(0); // The first of a mode may be told no number.
+    screen->frameBegun(now + 1ms);
+    screen->present(10, now);
+    EXPECT_EQ(flip(100)->missed, 0);
     screen->frameBegun(now + 1ms);
     screen->present(12, now);
     EXPECT_EQ(flip(101)->missed, 0);
     screen->frameBegun(now + 1ms);
     screen->present(13, now);
     EXPECT_EQ(flip(103)->missed, 1);
+    screen->frameBegun(now + 10min); // The screen counts with a clock of its own.
+    screen->present(14, now);
+    EXPECT_EQ(flip(36'105)->missed, 0);
 }
 
 } // namespace

@@ -18,6 +18,8 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds kFirstRetry = 10ms;
 constexpr int kRetries = 5;
 constexpr Nanoseconds kMasterRetry = 1s;
+/// For so long after a refresh, the ones that follow can be told by the mode's rate.
+constexpr Nanoseconds kCounted = 1s;
 
 } // namespace
 
@@ -104,8 +106,7 @@ void KmsScreen::present(std::uint32_t framebuffer, Nanoseconds now) {
         m_waiting = framebuffer;
         return refused(error, now);
     }
-    if (modeset)
-        m_due.reset(); // The refreshes are counted anew.
+    m_setsMode = modeset;
     m_needsModeset = false;
     m_flying = framebuffer;
     m_awaited = m_mirror ? 2 : 1;
@@ -210,10 +211,13 @@ void KmsScreen::flipped(CompletedFrame& completed) {
     m_shown = std::exchange(m_flying, 0);
     m_resets = 0;
     completed = {m_answer.sequence, m_answer.time.count(), 0};
-    if (m_due && m_answer.sequence > *m_due)
+    // Refreshes are counted anew with a mode, and what its first frame is told of them may be nothing: 0 at 0.
+    if (m_due && !m_setsMode && m_answer.sequence > *m_due)
         completed.missed = static_cast<int>(m_answer.sequence - *m_due);
     m_due.reset();
-    m_last = completed;
+    m_last.reset();
+    if (!m_setsMode)
+        m_last = completed;
 }
 
 Nanoseconds KmsScreen::period() const {
@@ -221,9 +225,10 @@ Nanoseconds KmsScreen::period() const {
 }
 
 void KmsScreen::frameBegun(Nanoseconds now) {
-    if (!m_last)
+    m_due.reset();
+    const Nanoseconds since = now - Nanoseconds(m_last ? m_last->nanoseconds : 0);
+    if (!m_last || since > kCounted)
         return;
-    const Nanoseconds since = now - Nanoseconds(m_last->nanoseconds);
     m_due = m_last->sequence + 1 + static_cast<std::uint64_t>(std::max<std::int64_t>(0, since / period()));
 }
 

@@ -130,6 +130,7 @@ private:
     bool m_paused = false; ///< By pause(): only resume() ends it.
     Blanking m_blanking = Blanking::None, m_applied = Blanking::None;
 
+    bool m_setsMode = false; ///< The last commit.
     std::optional<CompletedFrame> m_last;
     std::optional<std::uint64_t> m_due; ///< The sequence that the frame in the making is due at.
 };

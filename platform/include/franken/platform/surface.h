@@ -63,7 +63,9 @@ std::string_view toString(SurfaceState state);
 struct CompletedFrame {
     std::uint64_t sequence = 0;   ///< Of the screen's refresh; of the frame, for a surface without a screen.
     std::int64_t nanoseconds = 0; ///< When its first pixel was scanned out; CLOCK_MONOTONIC.
-    int missed = 0; ///< Refreshes between the one that it was due at and the one that showed it.
+    /// Refreshes between the one that it was due at, the first after begin(), and the one that showed it. 0 for
+    /// a frame that follows more than a second without any: nothing moved that could have come late.
+    int missed = 0;
 };
 
 /// What dispatch() found.
