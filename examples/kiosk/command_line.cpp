@@ -83,6 +83,11 @@ void addRun(CLI::App& app, Parsed& parsed) {
     app.add_option("--time", parsed.frame.seconds, "What the picture shows: seconds after the model came [0]")
         ->check(CLI::Range(0.0, 86400.0))
         ->type_name("SECONDS");
+    app.add_option("--loading", parsed.frame.loaded,
+                   "Draw what is shown until the first model is there, with so much of the bar filled")
+        ->check(CLI::Range(0.0, 1.0))
+        ->needs("--frame")
+        ->type_name("0..1");
     app.add_option("--root", parsed.run.root, "Where /sys, /proc and /run are: for tests")
         ->type_name("FOLDER");
     addSettings(app, parsed.run.overrides);

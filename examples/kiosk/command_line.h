@@ -6,6 +6,7 @@
 #include "kiosk/kiosk.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -21,6 +22,8 @@ struct DrawFrame {
     std::filesystem::path output;
     franken::platform::Size size{1280, 720};
     double seconds = 0;
+    std::optional<double>
+        loaded; ///< Instead of a model: what is shown until it is there; 0 to 1 of it is done.
 };
 /// `kiosk check FILE`.
 struct CheckFile {

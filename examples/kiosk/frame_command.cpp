@@ -50,6 +50,25 @@ Result<void> upload(Stage& stage, LoadedModel model) {
     }
 }
 
+Result<void> showModel(Stage& stage, const DrawFrame& command, const Config& config,
+                       const franken::Log& log) {
+    Result<LoadedModel> model = firstModel(config, log);
+    if (!model)
+        return model.error();
+    if (Result<void> uploaded = upload(stage, *std::move(model)); !uploaded)
+        return uploaded;
+    stage.shown()->view.advance(command.seconds);
+    if (config.show.caption)
+        stage.labels().setCaption(stage.shown()->caption);
+    if (config.show.statistics) {
+        Statistics statistics = statisticsOf(Machine(command.options.root));
+        statistics.models = 1;
+        stage.report(statistics);
+        stage.labels().setStatistics(toLines(statistics));
+    }
+    return {};
+}
+
 } // namespace
 
 Result<void> drawFrame(const DrawFrame& command, const Config& config, const franken::Log& log) {
@@ -77,21 +96,11 @@ Result<void> drawFrame(const DrawFrame& command, const Config& config, const fra
             return sky.error();
         stage.setSky(*sky);
     }
-    Result<LoadedModel> model = firstModel(config, log);
-    if (!model)
-        return model.error();
-    if (Result<void> uploaded = upload(stage, *std::move(model)); !uploaded)
-        return uploaded;
-    stage.shown()->view.advance(command.seconds);
-    if (config.show.caption)
-        stage.labels().setCaption(stage.shown()->caption);
-    if (config.show.statistics) {
-        Statistics statistics = statisticsOf(Machine(command.options.root));
-        statistics.models = 1;
-        stage.report(statistics);
-        stage.labels().setStatistics(toLines(statistics));
-    }
-    if (Result<void> drawn = stage.draw(0, false); !drawn)
+    if (command.loaded)
+        stage.labels().setNotice(kLoadingNotice);
+    else if (Result<void> shown = showModel(stage, command, config, log); !shown)
+        return shown;
+    if (Result<void> drawn = stage.draw(command.loaded ? 1 : 0, command.loaded); !drawn)
         return drawn;
     const Result<franken::Image> picture = stage.renderer().readPixels(stage.target());
     return picture ? franken::writePng(command.output, *picture) : picture.error();

@@ -139,6 +139,7 @@ void Kiosk::surfaceReadable() {
     const platform::SurfaceEvents events = m_surface->dispatch();
     if (events.completed) {
         m_watch.completed();
+        m_pace.shown(Time(events.completed->nanoseconds));
         m_frameTimes.add(m_frameWork, events.completed->missed);
     }
     if (events.contextReplaced) {
@@ -220,8 +221,11 @@ Result<void> Kiosk::frameIfDue() {
             m_frameTimer->arm(next);
         return {};
     }
-    if (now() < m_nextFrame) {
-        m_frameTimer->arm(m_nextFrame);
+    const bool isOnScreen = m_surface->backend() == platform::Backend::Kms;
+    m_pace.configure(m_config.screen.maxFrameRate * m_monitor->relief().frameRate(),
+                     isOnScreen ? m_surface->refreshMilliHertz() : 0);
+    if (const Time begin = m_pace.next(now()); begin > now()) {
+        m_frameTimer->arm(begin);
         return {};
     }
     const Result<bool> begun = m_surface->begin();
@@ -237,21 +241,19 @@ Result<void> Kiosk::frame() {
         m_health = std::make_unique<platform::GpuHealth>(m_surface->getProcAddress());
     }
     const Time begun = now();
-    // A little early: a frame that is begun late is shown by the same refresh.
-    const double rate = m_config.screen.maxFrameRate * m_monitor->relief().frameRate();
-    m_nextFrame = begun + toTime(1 / rate) - std::chrono::milliseconds(2);
+    m_pace.begun(begun);
     if (m_show->showsStatistics() && begun >= m_nextStatistics) {
         m_nextStatistics = begun + kTick;
         m_show->setStatistics(m_monitor->statistics());
     }
     m_isStale = false;
     m_show->draw(begun);
-    if (m_wantsScreenshot)
+    if (m_wantsScreenshot && !m_screenshots.areBusy())
         takeScreenshot();
     checkGpu();
     if (!m_config.files.heartbeat.empty() && now() >= m_nextHeartbeat) {
         m_nextHeartbeat = now() + kHeartbeat;
-        m_beating.note(writeHeartbeat(), m_log);
+        beat();
     }
     m_frameWork = now() - begun;
     m_watch.submitted(begun);
@@ -267,12 +269,17 @@ void Kiosk::takeScreenshot() {
         m_log(LogLevel::Error, "no screenshot: " + franken::toString(picture.error()));
 }
 
-Result<void> Kiosk::writeHeartbeat() {
-    const Result<franken::Image> picture = m_show->stage()->renderer().readPixels(m_show->stage()->target());
-    if (!picture)
-        return picture.error();
-    const std::uint32_t checksum = platform::crc32(picture->rgba.data(), picture->rgba.size());
-    return platform::writeHeartbeat(m_config.files.heartbeat, m_frameTimes.frames(), checksum);
+void Kiosk::beat() {
+    if (m_beat.runs())
+        return;
+    m_beat.start([this, file = m_config.files.heartbeat, frames = m_frameTimes.frames(),
+                  picture = m_show->stage()->renderer().readPixels(m_show->stage()->target())] {
+        m_beating.note(picture
+                           ? platform::writeHeartbeat(
+                                 file, frames, platform::crc32(picture->rgba.data(), picture->rgba.size()))
+                           : picture.error(),
+                       m_log);
+    });
 }
 
 void Kiosk::checkGpu() {
@@ -328,7 +335,7 @@ Result<void> Kiosk::run() {
     }
     [[maybe_unused]] const auto told = m_service.stopping();
     if (m_show->stage() != nullptr)
-        m_show->stage()->keepManifest();
+        m_show->stage()->keepPrograms();
     return {};
 }
 

@@ -10,6 +10,7 @@
 #include "kiosk/config/read_config.h"
 #include "kiosk/control/controls.h"
 #include "kiosk/decide/opening.h"
+#include "kiosk/decide/pace.h"
 #include "kiosk/event_loop.h"
 #include "kiosk/machine/monitor.h"
 #include "kiosk/report/screenshot.h"
@@ -60,7 +61,7 @@ private:
     void checkGpu();
     franken::Result<void> obeyWatch();
     void takeScreenshot();
-    franken::Result<void> writeHeartbeat();
+    void beat();
     Time nextByTime() const;
     void reportState();
 
@@ -81,14 +82,16 @@ private:
     Opening m_opening;
     std::string m_dark; ///< Why the screen is; empty: it is not.
     FrameTimes m_frameTimes;
+    Pace m_pace;
 
     std::vector<std::unique_ptr<EventLoop::Source>> m_sources;
     std::unique_ptr<EventLoop::Timer> m_frameTimer, m_clockTimer, m_aliveTimer;
-    Time m_started, m_nextFrame{0}, m_frameWork{0}, m_nextHeartbeat{0}, m_nextStatistics{0};
+    Time m_started, m_frameWork{0}, m_nextHeartbeat{0}, m_nextStatistics{0};
     Trouble m_beating{"no heartbeat", "the heartbeat is written again"};
     std::string m_state;
     bool m_isStale = true; ///< Something changed that the screen does not show yet.
     bool m_wantsScreenshot = false, m_ends = false;
+    BackgroundTask m_beat; ///< Last: it uses what is above.
 };
 
 } // namespace kiosk

@@ -22,7 +22,13 @@ bool isPartOf(const fs::path& file, const fs::path& model) {
 } // namespace
 
 Content::Content(EventLoop& loop, franken::Log log, EventLoop::Handler arrived)
-    : m_loop(loop), m_log(std::move(log)), m_arrived(std::move(arrived)) {
+    : m_loop(loop),
+      m_log(std::move(log)),
+      m_arrived(std::move(arrived)),
+      m_loader([this](const fs::path& model, const std::stop_token& cancel) {
+          m_progress = 0;
+          return loadModel(model, cancel, [this](float done) { m_progress = done; });
+      }) {
     m_loaderSource = loop.onReadable(m_loader.descriptor(), [this] { m_arrived(); });
     m_folderTimer = loop.timer([this] {
         m_folder->rescan();

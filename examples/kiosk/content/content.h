@@ -9,6 +9,7 @@
 #include "kiosk/content/watched_folder.h"
 #include "kiosk/event_loop.h"
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <set>
@@ -35,6 +36,8 @@ public:
     bool isReplaced(const std::filesystem::path& model) const { return m_replaced.contains(model); }
     /// Whether something is being read, or read and not taken.
     bool isReading() const { return m_reading.has_value(); }
+    /// The share of what is being read that is done, 0 to 1.
+    float progress() const { return m_progress; }
     void cancel();
 
     /// A whole model, read by want().
@@ -56,7 +59,8 @@ private:
     std::vector<std::filesystem::path> m_listed; ///< By the configuration.
     std::string m_folderName;
     Playlist m_playlist;
-    BackgroundReader<LoadedModel> m_loader{loadModel};
+    std::atomic<float> m_progress = 0; ///< Written by the loader's thread.
+    BackgroundReader<LoadedModel> m_loader;
     std::unique_ptr<WatchedFolder> m_folder;
     std::unique_ptr<EventLoop::Source> m_loaderSource, m_folderSource;
     std::unique_ptr<EventLoop::Timer> m_folderTimer; ///< Looks for a folder that is not there.

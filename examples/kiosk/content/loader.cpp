@@ -50,6 +50,15 @@ private:
     double m_low, m_high, m_radius = 0;
 };
 
+franken::Scene withoutMeshes(const franken::Scene& scene) {
+    franken::Scene still;
+    still.cameras = scene.cameras;
+    still.lights = scene.lights;
+    still.nodes = scene.nodes;
+    still.animations = scene.animations;
+    return still;
+}
+
 /// Leaves the scene as it was.
 franken::Box sweptBy(franken::Scene& scene, const std::stop_token& cancel) {
     const franken::Box box = scene.bounds();
@@ -74,23 +83,34 @@ franken::Box sweptBy(franken::Scene& scene, const std::stop_token& cancel) {
 
 } // namespace
 
-LoadedModel loadModel(const fs::path& path, const std::stop_token& cancel) {
-    LoadedModel model{
-        .path = path, .scene = franken::Scene{}, .swept = {}, .caption = captionOf(path), .warnings = {}};
+LoadedModel loadModel(const fs::path& path, const std::stop_token& cancel,
+                      const std::function<void(float)>& progress) {
+    LoadedModel model{.path = path,
+                      .scene = franken::Scene{},
+                      .still = {},
+                      .swept = {},
+                      .caption = captionOf(path),
+                      .warnings = {}};
     const auto log = [&model](franken::LogLevel level, std::string_view text) {
         if (level != franken::LogLevel::Info)
             model.warnings.emplace_back(text);
     };
-    model.scene = franken::loadGltf(
-        path, {.images = franken::ImageForm::Encoded, .progress = {}, .cancel = cancel}, log);
+    const auto done = [&progress](float share, std::string_view) { progress(share); };
+    model.scene = franken::loadGltf(path,
+                                    {.images = franken::ImageForm::Encoded,
+                                     .progress = progress ? franken::LoadProgress(done) : nullptr,
+                                     .cancel = cancel},
+                                    log);
     if (!model.scene)
         return model;
-    if (!model.scene->bounds().empty())
-        model.swept = sweptBy(*model.scene, cancel);
-    else
+    if (model.scene->bounds().empty()) {
         model.scene =
             franken::Error{"kiosk.nothing", path.string(), "the model holds nothing that can be drawn",
                            "see its warnings, or whether its scene has a mesh of triangles"};
+        return model;
+    }
+    model.swept = sweptBy(*model.scene, cancel);
+    model.still = withoutMeshes(*model.scene);
     return model;
 }
 

@@ -66,12 +66,12 @@ Statistics Monitor::statistics() const {
 }
 
 void Monitor::writeMetrics() {
-    if (m_metrics.empty())
+    if (m_metrics.empty() || m_task.runs())
         return;
-    // A power cut may lose one of these: syncing each would wear the card out.
-    const franken::Result<void> written =
-        franken::writeFile(m_metrics, toPrometheus(statistics()), franken::FileWriter::Sync::Later);
-    m_writing.note(written, m_log);
+    m_task.start([this, file = m_metrics, text = toPrometheus(statistics())] {
+        // A power cut may lose one of these: syncing each would wear the card out.
+        m_writing.note(franken::writeFile(file, text, franken::FileWriter::Sync::Later), m_log);
+    });
 }
 
 } // namespace kiosk

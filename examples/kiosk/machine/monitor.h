@@ -6,6 +6,7 @@
 #include "kiosk/decide/relief.h"
 #include "kiosk/event_loop.h"
 #include "kiosk/machine/machine.h"
+#include "kiosk/report/background_task.h"
 #include "kiosk/report/statistics.h"
 #include "kiosk/report/trouble.h"
 
@@ -45,6 +46,7 @@ private:
     Time m_nextMetrics{0};
     double m_startSeconds;
     std::unique_ptr<EventLoop::Timer> m_timer;
+    BackgroundTask m_task; ///< Last: it uses all of the above.
 };
 
 } // namespace kiosk

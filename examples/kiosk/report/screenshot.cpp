@@ -9,9 +9,7 @@ void Screenshots::write(franken::Image picture) {
     if (m_folder.empty())
         return m_log(franken::LogLevel::Error,
                      "no screenshot: files.state is empty; set it to the folder that shall have them");
-    if (m_thread.joinable())
-        m_thread.join();
-    m_thread = std::jthread([file = m_folder / "screenshot.png", log = m_log, picture = std::move(picture)] {
+    m_task.start([file = m_folder / "screenshot.png", log = m_log, picture = std::move(picture)] {
         const franken::Result<void> written = franken::writePng(file, picture);
         if (written)
             log(franken::LogLevel::Info, "screenshot: " + file.string());

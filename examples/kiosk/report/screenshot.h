@@ -3,9 +3,9 @@
 
 #include "franken/image.h"
 #include "franken/log.h"
+#include "kiosk/report/background_task.h"
 
 #include <filesystem>
-#include <thread>
 
 namespace kiosk {
 
@@ -15,14 +15,16 @@ public:
     Screenshots(std::filesystem::path folder, franken::Log log)
         : m_folder(std::move(folder)), m_log(std::move(log)) {}
 
-    /// Writes screenshot.png into the folder; waits for the picture before, if that is not written yet.
-    /// Without a folder, the log says that there is none.
+    /// Whether the picture before is not written yet.
+    bool areBusy() const { return m_task.runs(); }
+    /// Writes screenshot.png into the folder. Without a folder, the log says that there is none. Only while
+    /// none is being written.
     void write(franken::Image picture);
 
 private:
     std::filesystem::path m_folder;
     franken::Log m_log;
-    std::jthread m_thread;
+    BackgroundTask m_task;
 };
 
 } // namespace kiosk

@@ -11,6 +11,9 @@
 
 namespace kiosk {
 
+/// What is to be read while the first model is loaded.
+inline constexpr const char* kLoadingNotice = "Loading";
+
 /// Texts over the picture: the model's name below, statistics at the upper left, and what happens while there
 /// is nothing to show. They wander, so that they do not burn into the screen.
 class Labels {

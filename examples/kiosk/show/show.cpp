@@ -184,7 +184,7 @@ void Show::change(Time now) {
     ++m_modelsShown;
     m_before = m_stage->shown()->path;
     m_stage->shown()->view.setPaused(m_paused);
-    m_stage->keepManifest();
+    m_stage->keepPrograms();
     if (m_mayPreload)
         wantNext();
 }
@@ -220,9 +220,20 @@ void Show::draw(Time now) {
     if (m_stage->shown() != nullptr)
         m_stage->shown()->view.advance(passed);
     const bool isLoading = m_stage->shown() == nullptr && (m_content->isReading() || m_stage->hasNext());
+    if (!isLoading)
+        m_loaded = 0;
     label(isLoading);
     m_shift = wander(now, m_config.show.pixelShift);
-    m_drawing.note(m_stage->draw(m_transition.cover(now), isLoading, m_shift), m_log);
+    m_drawing.note(
+        m_stage->draw(m_transition.cover(now), isLoading ? std::optional(loaded()) : std::nullopt, m_shift),
+        m_log);
+}
+
+/// Reading is one half of it, programs are the other; more of these may turn out to be needed.
+double Show::loaded() {
+    const double read = m_stage->hasNext() ? 1 : static_cast<double>(m_content->progress());
+    m_loaded = std::max(m_loaded, (read + m_stage->warmedUp()) / 2);
+    return m_loaded;
 }
 
 void Show::label(bool isLoading) {
@@ -230,7 +241,7 @@ void Show::label(bool isLoading) {
     Labels& labels = m_stage->labels();
     labels.setCaption(m_captions && shown != nullptr ? shown->caption : "");
     const bool isEmpty = shown == nullptr && !isLoading;
-    labels.setNotice(isLoading ? "Loading" : isEmpty ? "No model is there that can be shown" : "");
+    labels.setNotice(isLoading ? kLoadingNotice : isEmpty ? "No model is there that can be shown" : "");
     if (!m_statistics)
         labels.setStatistics({});
 }

@@ -60,6 +60,7 @@ private:
     void wantNext(int direction = 1);
     void change(Time now);
     void label(bool isLoading);
+    double loaded();
     void makeRoom(Time now);
     void leaveIfGone();
     void showNothing();
@@ -84,6 +85,7 @@ private:
     int m_direction = 1;                           ///< In which the playlist was searched for the next model.
     bool m_captions, m_statistics;
     double m_resolution = 1;
+    double m_loaded = 0; ///< What the bar shows, 0 to 1.
     bool m_paused = false, m_mayPreload = true;
     std::uint64_t m_modelsShown = 0;
 };

@@ -2,7 +2,6 @@
 #include "kiosk/show/stage.h"
 
 #include "franken/gltf.h"
-#include "franken/manifest.h"
 #include "kiosk/config/checks.h"
 
 #include <algorithm>
@@ -22,16 +21,6 @@ bool contains(const std::vector<ProgramUse>& uses, const ProgramUse& use) {
     return std::find(uses.begin(), uses.end(), use) != uses.end();
 }
 
-/// What views and lights need of a scene, without what fills the memory.
-franken::Scene withoutMeshes(const franken::Scene& scene) {
-    franken::Scene still;
-    still.cameras = scene.cameras;
-    still.lights = scene.lights;
-    still.nodes = scene.nodes;
-    still.animations = scene.animations;
-    return still;
-}
-
 franken::SceneSource sourceOf(const std::filesystem::path& path) {
     return [path] {
         return franken::loadGltf(path, {.images = franken::ImageForm::Encoded, .progress = {}, .cancel = {}});
@@ -44,17 +33,15 @@ Stage::Stage(const franken::Gl& gl, const std::string& driver, std::filesystem::
              const Config& config, franken::Log log)
     : m_log(std::move(log)),
       m_driver(driver),
-      m_manifest(std::move(manifest)),
+      m_programs(std::move(manifest), m_log),
       m_config(config),
       m_renderer(gl, m_log),
       m_canvas(gl, m_renderer),
       m_labels(m_renderer, config.show.font, m_log) {
     if (const auto sheet = addWhite(m_renderer))
         m_sheet = *sheet;
-    if (!m_manifest.empty() && std::filesystem::exists(m_manifest))
-        m_unwarmed = franken::readManifestOrNothing(m_manifest, m_log);
+    m_unwarmed = m_programs.read();
     m_warmed.reserve(m_unwarmed.size());
-    m_listed = m_unwarmed.size();
 }
 
 void Stage::configure(const Config& config) {
@@ -110,14 +97,13 @@ void Stage::warm(const std::vector<ProgramUse>& uses) {
     for (const ProgramUse& use : uses)
         if (!contains(m_warmed, use) && !contains(m_unwarmed, use)) {
             m_unwarmed.push_back(use);
-            m_unwritten.push_back(use);
+            m_programs.add(use);
         }
 }
 
 double Stage::warmedUp() const {
-    if (m_listed == 0)
-        return 1;
-    return std::min(1.0, static_cast<double>(m_warmed.size()) / static_cast<double>(m_listed));
+    const std::size_t all = m_warmed.size() + m_unwarmed.size();
+    return all == 0 ? 0 : static_cast<double>(m_warmed.size()) / static_cast<double>(all);
 }
 
 Result<void> Stage::prepare(LoadedModel model) {
@@ -131,7 +117,7 @@ Result<void> Stage::prepare(LoadedModel model) {
          {franken::overlayUse(m_look), m_sky ? franken::skyboxUse(m_look) : franken::overlayUse(m_look)})
         if (use)
             uses->push_back(*use);
-    View view(withoutMeshes(scene), model.swept, franken::aspectOf(m_target), m_config);
+    View view(std::move(model.still), model.swept, franken::aspectOf(m_target), m_config);
     const Result<franken::ModelId> id = m_renderer.addInSteps(std::move(scene), sourceOf(model.path));
     if (!id)
         return id.error();
@@ -211,12 +197,12 @@ Result<void> Stage::drawModel() {
     return m_renderer.drawOverlay({&quad, 1}, m_target);
 }
 
-Result<void> Stage::draw(double cover, bool isLoading, Shift shift) {
+Result<void> Stage::draw(double cover, std::optional<double> loaded, Shift shift) {
     const Result<void> drawn = drawModel();
-    return drawn ? drawOver(cover, isLoading, shift) : drawn;
+    return drawn ? drawOver(cover, loaded, shift) : drawn;
 }
 
-Result<void> Stage::drawOver(double cover, bool isLoading, Shift shift) {
+Result<void> Stage::drawOver(double cover, std::optional<double> loaded, Shift shift) {
     const franken::OverlayRect area = viewerArea(m_target);
     const float width = area.width, height = area.height;
     const franken::Float3& back = m_target.background;
@@ -225,11 +211,11 @@ Result<void> Stage::drawOver(double cover, bool isLoading, Shift shift) {
         quads.push_back({.picture = m_sheet,
                          .place = area,
                          .color = {back[0], back[1], back[2], static_cast<float>(cover)}});
-    if (isLoading) {
+    if (loaded) {
         const franken::OverlayRect bar{0.3f * width, 0.5f * height, 0.4f * width,
                                        std::max(2.0f, 0.008f * height)};
         franken::OverlayRect done = bar;
-        done.width *= static_cast<float>(warmedUp());
+        done.width *= static_cast<float>(*loaded);
         quads.push_back({.picture = m_sheet, .place = bar, .color = {1, 1, 1, 0.15f}});
         quads.push_back({.picture = m_sheet, .place = done, .color = {1, 1, 1, 0.7f}});
     }
@@ -237,16 +223,10 @@ Result<void> Stage::drawOver(double cover, bool isLoading, Shift shift) {
     return drawn ? m_labels.draw(m_target, cover, shift) : drawn;
 }
 
-void Stage::keepManifest() {
+void Stage::keepPrograms() {
     for (const ProgramUse& use : m_renderer.takeMisses())
-        if (!contains(m_unwritten, use))
-            m_unwritten.push_back(use);
-    if (m_manifest.empty() || m_unwritten.empty())
-        return;
-    const Result<void> kept = franken::appendToManifest(m_manifest, m_unwritten);
-    m_keeping.note(kept, m_log);
-    if (kept)
-        m_unwritten.clear();
+        m_programs.add(use);
+    m_programs.keep();
 }
 
 void Stage::report(Statistics& statistics) {

@@ -6,10 +6,10 @@
 #include "kiosk/content/loader.h"
 #include "kiosk/content/sky.h"
 #include "kiosk/report/statistics.h"
-#include "kiosk/report/trouble.h"
 #include "kiosk/show/canvas.h"
 #include "kiosk/show/labels.h"
 #include "kiosk/show/lighting.h"
+#include "kiosk/show/program_list.h"
 #include "kiosk/show/view.h"
 
 #include <filesystem>
@@ -50,7 +50,8 @@ public:
     /// Of width and height, above 0 to 1: fewer pixels are drawn, and stretched.
     void setResolution(double share) { m_resolution = share; }
 
-    /// Programs that earlier runs needed and that are not there yet, as a share of all.
+    /// The share of the programs that are known to be needed, by earlier runs and by the next model, that is
+    /// there, 0 to 1.
     double warmedUp() const;
 
     /// Begins to upload the next model; drops the one that was next before.
@@ -73,13 +74,13 @@ public:
     franken::Result<void> work();
     bool hasWork() const { return m_isLoading || !m_unwarmed.empty(); }
 
-    /// `cover`: 0 shows the model, 1 the background alone. `isLoading`: with a bar that fills as programs are
-    /// compiled. `shift`: of texts, in pixels.
-    franken::Result<void> draw(double cover, bool isLoading, Shift shift = {});
+    /// `cover`: 0 shows the model, 1 the background alone. `loaded`: how far a bar is filled, 0 to 1; empty,
+    /// there is none. `shift`: of texts, in pixels.
+    franken::Result<void> draw(double cover, std::optional<double> loaded, Shift shift = {});
 
-    /// Adds the programs that were needed to the manifest, if there are new ones. Where that fails, they are
-    /// added the next time.
-    void keepManifest();
+    /// Adds the programs that were needed to their list, if there are new ones; waits for no disk. Where that
+    /// fails, they are added the next time, or by the destructor.
+    void keepPrograms();
 
     /// Adds what the renderer knows.
     void report(Statistics& statistics);
@@ -91,12 +92,12 @@ public:
 private:
     void light();
     franken::Result<void> drawModel();
-    franken::Result<void> drawOver(double cover, bool isLoading, Shift shift);
+    franken::Result<void> drawOver(double cover, std::optional<double> loaded, Shift shift);
     void warm(const std::vector<franken::ProgramUse>& uses);
 
     franken::Log m_log;
     std::string m_driver;
-    std::filesystem::path m_manifest;
+    ProgramList m_programs;
     Config m_config;
     franken::Renderer m_renderer;
     Canvas m_canvas;
@@ -108,10 +109,8 @@ private:
     LightControls m_controls;
     Sky m_sky;
     std::unique_ptr<Exhibit> m_shown, m_next;
-    std::vector<franken::ProgramUse> m_warmed, m_unwarmed, m_unwritten;
-    std::size_t m_listed = 0; ///< Programs of earlier runs.
+    std::vector<franken::ProgramUse> m_warmed, m_unwarmed;
     bool m_isLoading = false;
-    Trouble m_keeping{"the list of programs is not kept", "the list of programs is kept again"};
     franken::PictureId m_sheet{};
 };
 
