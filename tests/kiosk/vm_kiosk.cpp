@@ -41,10 +41,10 @@ void KioskInGuest::writeConfig(const std::string& config) const {
     fs::rename(m_folder / "part.toml", m_folder / "kiosk.toml");
 }
 
-void KioskInGuest::start(const std::string& config) {
+void KioskInGuest::start(const std::string& config, const std::string& program) {
     writeConfig(config);
     m_read = log().size();
-    m_kiosk = std::make_unique<Child>(std::vector<std::string>{KIOSK, "--config",
+    m_kiosk = std::make_unique<Child>(std::vector<std::string>{program, "--config",
                                                                (m_folder / "kiosk.toml").string(), "--root",
                                                                (m_folder / "root").string()},
                                       (m_folder / "log").string());
@@ -88,16 +88,19 @@ VmPicture KioskInGuest::picture(const std::string& name) const {
     return shown;
 }
 
-double KioskInGuest::metric(const std::string& name) const {
+std::string KioskInGuest::metrics() const {
     const fs::path file = m_folder / "kiosk.prom";
     fs::remove(file);
     for (int tries = 0; tries < 2000 && !fs::exists(file); ++tries)
         std::this_thread::sleep_for(10ms);
-    const std::string text = readText(file);
+    return readText(file);
+}
+
+double KioskInGuest::valueOf(const std::string& name, const std::string& metrics) {
     const std::string line = "\nfrankenshader_kiosk_" + name + " ";
-    const std::size_t at = text.find(line);
-    EXPECT_NE(at, std::string::npos) << name << " in\n" << text;
-    return at == std::string::npos ? -1 : std::stod(text.substr(at + line.size()));
+    const std::size_t at = metrics.find(line);
+    EXPECT_NE(at, std::string::npos) << name << " in\n" << metrics;
+    return at == std::string::npos ? -1 : std::stod(metrics.substr(at + line.size()));
 }
 
 void KioskInGuest::copyModel(const std::string& model, const std::string& as) const {

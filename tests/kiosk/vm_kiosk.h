@@ -18,8 +18,8 @@ protected:
     void SetUp() override;
     void TearDown() override;
 
-    /// Starts it with a configuration: that of all tests, and these lines of TOML.
-    void start(const std::string& config);
+    /// Starts it with a configuration: that of all tests, which ends in [files], and these lines of TOML.
+    void start(const std::string& config, const std::string& program = KIOSK);
     void writeConfig(const std::string& config) const;
     Child& kiosk() { return *m_kiosk; }
 
@@ -33,8 +33,11 @@ protected:
     VmPicture scanned(const std::string& name) const;
     /// What was drawn, by a screenshot.
     VmPicture picture(const std::string& name) const;
-    /// A number of the statistics, newly written.
-    double metric(const std::string& name) const;
+    /// The statistics, newly written.
+    std::string metrics() const;
+    /// A number of them; a failure where they lack it.
+    static double valueOf(const std::string& name, const std::string& metrics);
+    double metric(const std::string& name) const { return valueOf(name, metrics()); }
     /// Copies one of Debian's models to the watched folder.
     void copyModel(const std::string& model, const std::string& as) const;
 

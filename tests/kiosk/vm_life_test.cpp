@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // When the kiosk is dark, what wakes it, what it does without, and what buttons do. In virtual time.
 #include "kiosk/vm_kiosk.h"
+#include "support/other_master.h"
 #include "support/service_manager.h"
 #include "support/shell.h"
 #include "support/sim_chip.h"
@@ -8,6 +9,8 @@
 
 #include <linux/input-event-codes.h>
 #include <poll.h>
+#include <unistd.h>
+#include <xf86drm.h>
 
 #include <csignal>
 #include <ctime>
@@ -100,6 +103,15 @@ TEST_F(KioskLife, AnHourWithoutAScreenAndTheWatchdogIsFedInEachState) {
     std::this_thread::sleep_for(1h);
     plug("detect");
     fed("drawing");
+    {
+        const int screen = screenDescriptor(kiosk().process());
+        ASSERT_EQ(drmDropMaster(screen), 0);
+        close(screen);
+        const OtherMaster thief;
+        kiosk().signal(SIGHUP); // Whoever draws nothing does not notice.
+        fed("paused");
+    }
+    fed("drawing");
     writeConfig(kStill + "[presence]\nidle-minutes = 0.01\n");
     fed("blanked");
     kiosk().signal(SIGTERM);
@@ -162,6 +174,7 @@ TEST_F(KioskLife, TheDoctorSeesTheScreenItsRendererAndWhoHoldsIt) {
 }
 
 TEST_F(KioskLife, ButtonsAndKeysDoWhatTheConfigurationSays) {
+    copyModel(kBox, "c.glb");
     const SimChip chip;
     chip.pull(17, true);
     const UinputDevice keys(UinputDevice::Kind::Keyboard, "kiosk keys");
@@ -186,6 +199,14 @@ TEST_F(KioskLife, ButtonsAndKeysDoWhatTheConfigurationSays) {
     keys.key(KEY_X, false);
     ASSERT_TRUE(logs("asked for: previous"));
     ASSERT_TRUE(logs("a.glb"));
+    for (const char* after : {"b.glb", "c.glb"}) { // Forwards again.
+        press(100ms);
+        ASSERT_TRUE(logs("asked for: next"));
+        ASSERT_TRUE(logs(after));
+    }
+    keys.key(KEY_X, true);
+    keys.key(KEY_X, false);
+    ASSERT_TRUE(logs("b.glb"));
 }
 
 TEST_F(KioskLife, FingersTurnZoomAndSwipe) {

@@ -140,7 +140,7 @@ endforeach()
 if(TARGET kiosk)
     franken_program(kiosk kiosk PAGE --manual COMPLETIONS --completions)
     install(FILES examples/kiosk/kiosk.toml examples/kiosk/README.md examples/kiosk/kiosk.png
-        examples/kiosk/kiosk-turned.png DESTINATION ${data_dir}/kiosk COMPONENT kiosk)
+        examples/kiosk/kiosk-turned.png examples/kiosk/loading.png examples/kiosk/loading-turned.png DESTINATION ${data_dir}/kiosk COMPONENT kiosk)
     install(DIRECTORY examples/kiosk/appliance DESTINATION ${data_dir}/kiosk USE_SOURCE_PERMISSIONS COMPONENT kiosk)
 endif()
 # To be read by those who write snippets and effects of their own; and what `frankenshader cost` needs.

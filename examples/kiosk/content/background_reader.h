@@ -48,6 +48,8 @@ public:
 
     void cancel() {
         const std::lock_guard lock(m_mutex);
+        eventfd_t count = 0;
+        eventfd_read(m_done, &count); // Nobody is called for what is dropped.
         m_reading.request_stop();
         m_requested.reset();
         m_value.reset();
