@@ -53,6 +53,14 @@ const kItems = {
   "neutral": ["tone map: Khronos neutral"],
   "dither": ["dither"],
 };
+/** The one word whose price depends on others. */
+function energyItem(words) {
+  if (words.has("reflection"))
+    return "energy, with the reflection of the sky";
+  const isTextured = words.has("metalrough") || words.has("metalrough-separate");
+  return isTextured ? "energy, roughness by texture" : "energy, roughness by factor";
+}
+
 /** Words that the price list says nothing of: programs that have them are too far from what it starts from. */
 const kUnpriced = ["sky", "overlay", "unlit", "fp16", "view-basecolor", "view-normal", "view-metalrough", "view-occlusion"];
 const kSecondStream = /-uv1$/;
@@ -83,6 +91,8 @@ export class Prices {
       return null;
     const itemsOf = (word) => kItems[word] ?? (kSecondStream.test(word) ? ["second texture coordinates"] : []);
     const more = [...words].filter((word) => !kBase.has(word)).flatMap(itemsOf);
+    if (words.has("energy"))
+      more.push(energyItem(words));
     const less = [...kBase].filter((word) => !words.has(word)).flatMap((word) => kItems[word] ?? []);
     return { more, less };
   }
