@@ -24,7 +24,7 @@ mkdir -p "$out"
 [ -f "$out/model.glb" ] || "$bin/make_model" "$out/model.glb"
 [ -f "$out/lake.hdr" ] || "$bin/make_model" "$out/lake.hdr"
 [ "$out/lake.sky" -nt "$bin/bake" ] || "$bin/bake" "$out/lake.hdr" --sun --skybox-size 2048 -o "$out/lake.sky"
-"$bin/viewer" "$out/model.glb" --skybox "$out/lake.sky" --tone-map neutral -o "$out/model.png" --size 800x600 --supersample
+"$bin/viewer" "$out/model.glb" --skybox "$out/lake.sky" --tone-map neutral --energy -o "$out/model.png" --size 800x600 --supersample
 "$bin/viewer" "$model" --frame -o "$out/$(basename "${model%.*}").png" --size 800x600 --supersample
 
 echo
