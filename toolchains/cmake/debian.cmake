@@ -63,7 +63,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 franken_debian(tools frankenshader graphics "${library_package} (= ${version})"
     "Single-pass GLSL ES programs for Raspberry Pi GPUs: programs\n${about}\n.\nThis package holds the programs that write, explain, check and price\nshaders, draw models to pictures, and filter skies.")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libosmesa6 | libegl-mesa0")
+set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libosmesa6, libegl-mesa0")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "glslang-tools, g++")
 franken_debian(kiosk frankenshader-kiosk graphics "${library_package} (= ${version})"
     "Single-pass GLSL ES programs for Raspberry Pi GPUs: kiosk\n${about}\n.\nThis package holds a program that shows models on a screen\nwithout a window system, for months.")
