@@ -60,7 +60,16 @@ if [ "$(id -u)" != 0 ]; then
     fi
 fi
 $as_root apt-get -qq update
-missing=$(list) # Only now does apt know which of several there are.
+# Only now does apt know which of several there are. Who needs one that no release here has, goes without or says so.
+missing=
+for package in $(list); do
+    if is_known "$package"; then
+        missing="$missing $package"
+    else
+        echo "Not among this system's packages: $package" >&2
+    fi
+done
+[ -n "$missing" ] || exit 0
 echo "Installing:$missing"
 # shellcheck disable=SC2086
 $as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends $missing >/dev/null

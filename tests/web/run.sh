@@ -40,7 +40,8 @@ export SITE BIN WORK
 
 case ${1:-} in
 build)
-    find /usr/lib/llvm-*/lib/wasm32-wasi/libc++.a >/dev/null 2>&1 || skip "there is no clang with WASI's libraries"
+    # Later ones are in toolchains/cmake/wasi.cmake, and untried: their library has what examples/web/module/system has.
+    [ -f /usr/lib/llvm-14/lib/wasm32-wasi/libc++.a ] || skip "there is no clang 14 with WASI's libraries"
     exec "$here/../../examples/web/build.sh" "$SITE" "$BIN"
     ;;
 module)
