@@ -35,12 +35,31 @@ double timeOf(const std::filesystem::path& table, const std::string& model, cons
     return 0;
 }
 
+const Gl* plainGl = nullptr;
+
+void GL_APIENTRY texParameteri(GLenum target, GLenum name, GLint value) {
+    const bool filter = name == GL_TEXTURE_MIN_FILTER || name == GL_TEXTURE_MAG_FILTER;
+    plainGl->TexParameteri(target, name, filter ? GL_NEAREST : value);
+}
+
+/// The table of a driver that filters no texture.
+Gl unfilteredGl(const Gl& gl) {
+    plainGl = &gl;
+    Gl unfiltered = gl;
+    unfiltered.TexParameteri = texParameteri;
+    return unfiltered;
+}
+
 class PosedTest : public PictureTest {
 protected:
     PosedTest() : PictureTest({kSize, kSize}) {}
 
     /// The file in the pose of that moment, by setPose().
     Picture drawn(const std::filesystem::path& file, double seconds, const AmbientLight& ambient = {}) {
+        return drawn(gl(), file, seconds, ambient);
+    }
+    Picture drawn(const Gl& driver, const std::filesystem::path& file, double seconds,
+                  const AmbientLight& ambient = {}) {
         const Result<Scene> scene = loadGltf(file);
         EXPECT_TRUE(scene) << toString(scene.error());
         Pose pose = restPose(*scene);
@@ -49,7 +68,7 @@ protected:
         }
         Scene posed = *scene;
         EXPECT_TRUE(applyPose(posed, pose));
-        Renderer renderer(gl());
+        Renderer renderer(driver);
         Lighting lighting = lightingOf(posed);
         lighting.ambient = ambient;
         renderer.setLighting(lighting);
@@ -65,6 +84,7 @@ protected:
 
     void compareWithViewer(const std::string& model, double shareAbove = 0.005,
                            const std::vector<std::string>& pictures = {"a", "end"});
+    void compareWithoutFilter(const std::string& model);
     void compareOutline(const std::string& model);
 };
 
@@ -81,6 +101,30 @@ void PosedTest::compareWithViewer(const std::string& model, double shareAbove,
         const Difference difference = compare(actual, expected, [](int, int) { return true; });
         std::cout << model << "." << picture << ": " << difference << "\n";
         EXPECT_TRUE(difference.mean <= 0.5 && difference.shareAbove(8) <= shareAbove)
+            << writeDifference("posed_" + model + "." + picture, actual, expected);
+    }
+}
+
+/// Where our own picture is the same without a filter, it is the other renderer's too.
+void PosedTest::compareWithoutFilter(const std::string& model) {
+    const std::filesystem::path folder = findShared("reference/animation");
+    if (folder.empty())
+        GTEST_SKIP() << "needs ../shared/reference/animation beside the sources";
+    for (const std::string picture : {"a", "b", "c", "end", "loop"}) {
+        const Picture expected = readPicture(folder / (model + "." + picture + ".khronos.png"));
+        const double seconds = timeOf(folder / "times.csv", model, picture);
+        const Picture actual = drawn(folder / (model + ".glb"), seconds);
+        const Picture texels = drawn(unfilteredGl(gl()), folder / (model + ".glb"), seconds);
+        const auto isPlain = [&](int x, int y) {
+            const auto first = static_cast<std::size_t>(4 * (y * kSize + x));
+            for (std::size_t i = first; i < first + 3; ++i)
+                if (std::abs(actual.rgba[i] - texels.rgba[i]) > 2)
+                    return false;
+            return actual.rgba[first] + actual.rgba[first + 1] + actual.rgba[first + 2] > 0;
+        };
+        const Difference difference = compare(actual, expected, isPlain);
+        std::cout << model << "." << picture << ", where no filter shows: " << difference << "\n";
+        EXPECT_TRUE(difference.mean <= 0.5 && difference.shareAbove(8) <= 0.005)
             << writeDifference("posed_" + model + "." + picture, actual, expected);
     }
 }
@@ -123,10 +167,13 @@ TEST_P(PosedTest, MovingNodes) {
     compareWithViewer("BoxAnimated");
     compareWithViewer("Interpolation9");
 }
-// Found 2.5 % of the pixels, at the edges of letters: the viewer's filter is anisotropic, as above.
+// Found 2.5 % of the pixels, at the edges of letters and of faces, whose texels lie beside others: there the
+// picture is what the filter makes of it. Where no filter shows: 0.1 codes, 0.6 % above 6.
 TEST_P(PosedTest, MovingNodesWithATexture) {
-    compareWithViewer("Animation_Node_05", 0.03);
-    compareWithViewer("Animation_NodeMisc_01", 0.03);
+    for (const std::string model : {"Animation_Node_05", "Animation_NodeMisc_01"}) {
+        compareWithViewer(model, 0.03);
+        compareWithoutFilter(model);
+    }
 }
 TEST_P(PosedTest, WeightsInIntegers) { compareWithViewer("Animation_SkinType_02", 0.005, {"static"}); }
 TEST_P(PosedTest, MovingCameraAndLights) { compareWithViewer("MovingCameraAndLights"); }
