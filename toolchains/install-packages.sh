@@ -24,15 +24,26 @@ missing_of() {
     done
 }
 
+# Those of the packages that apt can install. One call for all, because each takes a third of a second.
+known_of() {
+    LC_ALL=C apt-cache policy "$@" 2>/dev/null |
+        awk '/^[^ ].*:$/ { name = substr($0, 1, length($0) - 1) } /^  Candidate: [0-9]/ { print name }'
+}
+
+# Whether apt can install all of "a,b,c".
 is_known() {
-    for package in $(echo "$1" | tr ',' ' '); do
-        apt-cache show "$package" >/dev/null 2>&1 || return 1
-    done
+    # shellcheck disable=SC2046
+    set -- $(echo "$1" | tr ',' ' ')
+    [ "$(known_of "$@" | wc -l)" = $# ]
 }
 
 # Of "a,b|c,d", which are of different releases: nothing where all of one are there, else what is missing of those that
 # apt knows, or of the first where it knows none.
 missing_of_one() {
+    case $1 in
+    *'|'*) ;;
+    *) missing_of "$1"; return ;;
+    esac
     first=${1%%|*} known=
     for packages in $(echo "$1" | tr '|' ' '); do
         [ -n "$(missing_of "$packages")" ] || return 0
@@ -61,13 +72,14 @@ if [ "$(id -u)" != 0 ]; then
 fi
 $as_root apt-get -qq update
 # Only now does apt know which of several there are. Who needs one that no release here has, goes without or says so.
-missing=
-for package in $(list); do
-    if is_known "$package"; then
-        missing="$missing $package"
-    else
-        echo "Not among this system's packages: $package" >&2
-    fi
+wanted=$(list) missing=
+# shellcheck disable=SC2086
+known=" $(known_of $wanted | tr '\n' ' ') "
+for package in $wanted; do
+    case $known in
+    *" $package "*) missing="$missing $package" ;;
+    *) echo "Not among this system's packages: $package" >&2 ;;
+    esac
 done
 [ -n "$missing" ] || exit 0
 echo "Installing:$missing"

@@ -5,6 +5,7 @@
 #include <glm/matrix.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -152,7 +153,8 @@ void DrawList::sort() {
     m_placedFor.reset();
 }
 
-// Few slices, so that most objects of a material still follow each other.
+// Few slices, so that most objects of a material still follow each other; none thinner than what rounding
+// makes of objects that are as deep.
 void DrawList::sortFrontToBack(const Viewpoint& viewpoint) {
     constexpr double kSlices = 16;
     const auto depthOf = [&](const Object& object) {
@@ -163,7 +165,8 @@ void DrawList::sortFrontToBack(const Viewpoint& viewpoint) {
         nearest = std::min(nearest, depthOf(*layer.object));
         farthest = std::max(farthest, depthOf(*layer.object));
     }
-    const double scale = farthest > nearest ? (kSlices - 1) / (farthest - nearest) : 0;
+    const double thinnest = 1e-4 * std::max(std::abs(nearest), std::abs(farthest));
+    const double scale = farthest - nearest > thinnest ? (kSlices - 1) / (farthest - nearest) : 0;
     for (Layer& layer : m_frontToBack)
         layer.slice = static_cast<int>((depthOf(*layer.object) - nearest) * scale + 0.5);
     std::sort(m_frontToBack.begin(), m_frontToBack.end(), [](const Layer& a, const Layer& b) {
