@@ -51,7 +51,7 @@ export const kPresets = {
       shape: "sphere", red: 1, green: 1, blue: 1, metallic: 1, roughness: 1, candela: 20,
     },
     lights: { punctual: [{ position: [2, 2, 3], color: [1, 1, 1] }] },
-    notes: `It decodes base colours by 2.2; we have no word for that and take sRGB's curve. Its divisor is kept above 0 by adding 0.0001, that of seed by a floor of 0.001; and it makes the frame of the normal map orthonormal in each pixel. Without its environment, and with decoded textures, 99.97 % of the picture is within one code of its functions, and all within 7. Its environment is a split sum. ${kAgainstTruth} One point light, Reinhard, 1/2.2.`,
+    notes: `It decodes base colours by 2.2; we have no word for that and take sRGB's curve. Its divisor is kept above 0 by adding 0.0001, that of seed by a floor of 0.001; and it makes the frame of the normal map orthonormal in each pixel. Without its environment, and with decoded textures, 99.97 % of the picture is within one code of its functions, and all within 7; the cause of the rest is not known. Its environment is a split sum. ${kAgainstTruth} One point light, Reinhard, 1/2.2.`,
   },
   "003": {
     title: "Metal in an environment",
