@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <csignal>
 #include <ctime>
+#include <utility>
 
 namespace kiosk {
 
@@ -36,6 +37,15 @@ std::tm localTime() {
     tzset(); // The time zone may have been changed.
     localtime_r(&time, &local);
     return local;
+}
+
+Result<franken::Image> imageOf(Result<platform::ScreenPicture> picture) {
+    if (!picture)
+        return picture.error();
+    return franken::Image{.name = {},
+                          .width = picture->size.width,
+                          .height = picture->size.height,
+                          .rgba = std::move(picture->rgba)};
 }
 
 } // namespace
@@ -141,6 +151,9 @@ void Kiosk::surfaceReadable() {
         m_watch.completed();
         m_pace.shown(Time(events.completed->nanoseconds));
         m_frameTimes.add(m_frameWork, events.completed->missed);
+        if (m_takesScreenshot || m_beats)
+            if (const std::shared_ptr<platform::HeldPicture> shown = m_surface->holdShown())
+                givePicture([shown] { return imageOf(shown->read()); });
     }
     if (events.contextReplaced) {
         m_show->contextLost();
@@ -247,37 +260,48 @@ Result<void> Kiosk::frame() {
         m_show->setStatistics(m_monitor->statistics());
     }
     m_isStale = false;
+    checkGpu(); // Waits for the GPU, which has nothing to do yet.
     m_show->draw(begun);
-    if (m_wantsScreenshot && !m_screenshots.areBusy())
-        takeScreenshot();
-    checkGpu();
-    if (!m_config.files.heartbeat.empty() && now() >= m_nextHeartbeat) {
-        m_nextHeartbeat = now() + kHeartbeat;
-        beat();
-    }
+    noteCopies();
     m_frameWork = now() - begun;
     m_watch.submitted(begun);
     return m_surface->submit();
 }
 
-void Kiosk::takeScreenshot() {
-    m_wantsScreenshot = false;
-    Result<franken::Image> picture = m_show->stage()->renderer().readPixels(m_show->stage()->target());
-    if (picture)
-        m_screenshots.write(*std::move(picture));
-    else
-        m_log(LogLevel::Error, "no screenshot: " + franken::toString(picture.error()));
+/// Whether the screen's picture can be read while the next one is drawn. That takes one buffer more.
+bool Kiosk::canHold() const {
+    return m_surface->backend() == platform::Backend::Kms && m_monitor->relief().mayPreload();
 }
 
-void Kiosk::beat() {
-    if (m_beat.runs())
-        return;
-    m_beat.start([this, file = m_config.files.heartbeat, frames = m_frameTimes.frames(),
-                  picture = m_show->stage()->renderer().readPixels(m_show->stage()->target())] {
-        m_beating.note(picture
-                           ? platform::writeHeartbeat(
-                                 file, frames, platform::crc32(picture->rgba.data(), picture->rgba.size()))
-                           : picture.error(),
+/// What is to be made of the frame in the making.
+void Kiosk::noteCopies() {
+    if (m_wantsScreenshot && !m_screenshots.areBusy()) {
+        m_wantsScreenshot = false;
+        m_takesScreenshot = true;
+    }
+    if (!m_config.files.heartbeat.empty() && now() >= m_nextHeartbeat) {
+        m_nextHeartbeat = now() + kHeartbeat;
+        m_beats = !m_beat.runs();
+    }
+    if ((m_takesScreenshot || m_beats) && !canHold())
+        givePicture([picture = m_show->stage()->renderer().readPixels(m_show->stage()->target())] {
+            return picture;
+        });
+}
+
+void Kiosk::givePicture(const PictureSource& picture) {
+    if (std::exchange(m_takesScreenshot, false))
+        m_screenshots.write(picture);
+    if (std::exchange(m_beats, false))
+        beat(picture);
+}
+
+void Kiosk::beat(const PictureSource& picture) {
+    m_beat.start([this, file = m_config.files.heartbeat, frames = m_frameTimes.frames(), picture] {
+        const Result<franken::Image> image = picture();
+        m_beating.note(image ? platform::writeHeartbeat(
+                                   file, frames, platform::crc32(image->rgba.data(), image->rgba.size()))
+                             : image.error(),
                        m_log);
     });
 }

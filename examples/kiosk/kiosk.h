@@ -59,9 +59,11 @@ private:
     franken::Result<void> frameIfDue();
     franken::Result<void> frame();
     void checkGpu();
+    bool canHold() const;
+    void noteCopies();
+    void givePicture(const PictureSource& picture);
     franken::Result<void> obeyWatch();
-    void takeScreenshot();
-    void beat();
+    void beat(const PictureSource& picture);
     Time nextByTime() const;
     void reportState();
 
@@ -91,7 +93,8 @@ private:
     std::string m_state;
     bool m_isStale = true; ///< Something changed that the screen does not show yet.
     bool m_wantsScreenshot = false, m_ends = false;
-    BackgroundTask m_beat; ///< Last: it uses what is above.
+    bool m_takesScreenshot = false, m_beats = false; ///< With the frame that is on its way.
+    BackgroundTask m_beat;                           ///< Last: it uses what is above.
 };
 
 } // namespace kiosk

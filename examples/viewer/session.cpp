@@ -192,11 +192,12 @@ Result<Drawn> Session::drawVisibly(Subject& subject) {
         return drawn;
     const Coverage coverage = coverageOf(drawn->picture, m_options.background);
     if (coverage.shown == 0)
-        m_log(LogLevel::Warning,
-              drawn->frame.drawn == 0
-                  ? "the picture shows nothing of the model, which lies outside the camera's view"
-                  : "the picture shows nothing of the model: it faces away, is transparent, or "
-                    "has the colour of the background");
+        m_log(
+            LogLevel::Warning,
+            drawn->frame.drawn == 0
+                ? "the picture shows nothing of the model, which lies outside the camera's view"
+                : "the picture shows nothing of the model: it faces away, is transparent, has the colour of "
+                  "the background, or too little light, which --exposure auto makes up for");
     const float exposure = autoExposure(subject.lighting, subject.scene.bounds());
     if (m_options.exposure || m_options.autoExposure || 2 * coverage.white <= coverage.shown || exposure >= 1)
         return drawn;

@@ -81,6 +81,12 @@ TEST_F(ViewerModels, APictureOfNothingSaysSo) {
     EXPECT_NE(coloured.err.find("faces away"), std::string::npos) << coloured.err;
     model.json["nodes"].back() = {{"mesh", 0}};
     EXPECT_EQ(draw(model.bytes(false)).err, "");
+    model.json["nodes"].back() = {{"mesh", model.quad(model.lit(0, 1))}};
+    model.addSun(0.0002);
+    const Outcome dark = draw(model.bytes(false), "--background 0,0,0");
+    EXPECT_NE(dark.err.find("too little light, which --exposure auto makes up for"), std::string::npos)
+        << dark.err;
+    EXPECT_EQ(draw(model.bytes(false), "--background 0,0,0 --exposure auto").err, "");
 }
 
 TEST_F(ViewerModels, ChunksOutOfPlaceAndCompressedMeshesAreRefused) {

@@ -3,6 +3,8 @@
 // program, so that the linker takes them instead of the C library's. FRANKEN_DISK names a folder: calls for
 // files in it fail with EIO where the file FRANKEN_FAULTS has their name at the time ("write fsync"). A file
 // is closed all the same, as the kernel does it.
+#include "kiosk/faults.h"
+
 #include <atomic>
 #include <cerrno>
 #include <cstdarg>
@@ -28,8 +30,11 @@ bool isOnDisk(int folder, const char* path) {
     return path[0] == '/' ? std::strncmp(path, disk, std::strlen(disk)) == 0 : isOnDisk(folder);
 }
 
-/// Sets errno where the call is to fail.
-bool fails(const char* call) {
+} // namespace
+
+namespace franken::test {
+
+bool isListed(const char* call) {
     const char* list = std::getenv("FRANKEN_FAULTS");
     if (list == nullptr)
         return false;
@@ -43,7 +48,16 @@ bool fails(const char* call) {
         return false;
     text[1 + count] = ' '; // Then zeros.
     const char* at = std::strstr(text, call);
-    const bool isListed = at != nullptr && at[-1] == ' ' && at[std::strlen(call)] == ' ';
+    return at != nullptr && at[-1] == ' ' && at[std::strlen(call)] == ' ';
+}
+
+} // namespace franken::test
+
+namespace {
+
+/// Sets errno where the call is to fail.
+bool fails(const char* call) {
+    const bool isListed = franken::test::isListed(call);
     errno = isListed ? EIO : errno;
     return isListed;
 }

@@ -34,6 +34,23 @@ protected:
             copyModel(kBox, "b.glb");
         }
     }
+    /// For so long, the watchdog is fed as often at least, and the state is told.
+    static void expectFed(const FakeServiceManager& manager, const std::string& state,
+                          std::chrono::milliseconds time, int times) {
+        int alive = 0;
+        bool isSaid = false;
+        pollfd ready{manager.descriptor(), POLLIN, 0};
+        for (const auto end = std::chrono::steady_clock::now() + time;
+             std::chrono::steady_clock::now() < end;) {
+            poll(&ready, 1, 100);
+            for (std::string message = manager.next(); !message.empty(); message = manager.next()) {
+                alive += message.find("WATCHDOG=1") != std::string::npos ? 1 : 0;
+                isSaid = isSaid || message.find(state) != std::string::npos;
+            }
+        }
+        EXPECT_GE(alive, times) << state;
+        EXPECT_TRUE(isSaid) << state;
+    }
     /// Sets the machine's clock: a Monday.
     static void setClock(int hour, int minute, int second) {
         const timespec time{1'771'200'000 - 1'771'200'000 % 86'400 + hour * 3600 + minute * 60 + second, 0};
@@ -80,23 +97,9 @@ TEST_F(KioskLife, MotionAndKeysWakeItAndIdleTimeDoesNotPassWhileSomebodyIsThere)
 }
 
 TEST_F(KioskLife, AnHourWithoutAScreenAndTheWatchdogIsFedInEachState) {
-    FakeServiceManager manager(10s);
+    const FakeServiceManager manager(10s);
     start(kStill);
-    const auto fed = [&manager](const std::string& state) {
-        int alive = 0;
-        bool isSaid = false;
-        pollfd ready{manager.descriptor(), POLLIN, 0};
-        for (const auto end = std::chrono::steady_clock::now() + 20s;
-             std::chrono::steady_clock::now() < end;) {
-            poll(&ready, 1, 100);
-            for (std::string message = manager.next(); !message.empty(); message = manager.next()) {
-                alive += message.find("WATCHDOG=1") != std::string::npos ? 1 : 0;
-                isSaid = isSaid || message.find(state) != std::string::npos;
-            }
-        }
-        EXPECT_GE(alive, 4) << state;
-        EXPECT_TRUE(isSaid) << state;
-    };
+    const auto fed = [&manager](const std::string& state) { expectFed(manager, state, 20s, 4); };
     fed("drawing");
     plug("off");
     fed("no screen");
@@ -116,6 +119,21 @@ TEST_F(KioskLife, AnHourWithoutAScreenAndTheWatchdogIsFedInEachState) {
     fed("blanked");
     kiosk().signal(SIGTERM);
     EXPECT_EQ(kiosk().wait(), 0);
+}
+
+TEST_F(KioskLife, TheWatchdogIsFedWhileTheKernelRefusesFrames) {
+    const FakeServiceManager manager(200ms);
+    const std::string faults = (folder() / "faults").string();
+    setenv("FRANKEN_FAULTS", faults.c_str(), 1);
+    start(kStill, FAULTY_KIOSK);
+    ASSERT_TRUE(logs("shows"));
+    writeFile(faults, "commit");
+    kiosk().signal(SIGHUP);
+    expectFed(manager, "recovering", 400ms, 4); // After 620 ms it would end.
+    std::filesystem::remove(faults);
+    unsetenv("FRANKEN_FAULTS");
+    expectFed(manager, "drawing", 400ms, 4);
+    EXPECT_TRUE(kiosk().runs());
 }
 
 TEST_F(KioskLife, LittleContiguousMemoryMeansOneModelAtATime) {

@@ -6,6 +6,7 @@
 #include <drm_fourcc.h>
 
 #include <algorithm>
+#include <thread>
 
 namespace franken::test {
 namespace {
@@ -96,6 +97,65 @@ TEST_P(Picture, TheFirstFrameIsScannedOutAsDrawnOffscreen) {
     writePpm(drawn, name + "_offscreen");
     EXPECT_TRUE(shown == drawn) << difference(shown, drawn);
     EXPECT_EQ(size, (platform::Size{160, 120}));
+}
+
+VmPicture pictureOf(const platform::ScreenPicture& copy) {
+    VmPicture picture{copy.size, {}};
+    for (std::size_t at = 0; at < copy.rgba.size(); at += 4)
+        picture.pixels.push_back(
+            static_cast<std::uint32_t>(copy.rgba[at] << 16 | copy.rgba[at + 1] << 8 | copy.rgba[at + 2]));
+    return picture;
+}
+
+/// The bits that 565 has: what is below them, one rounds and the other repeats.
+VmPicture narrowed(VmPicture picture) {
+    for (std::uint32_t& pixel : picture.pixels)
+        pixel &= 0xF8FCF8;
+    return picture;
+}
+
+class HeldPictures : public GuestTest, public testing::WithParamInterface<PixelFormat> {};
+
+INSTANTIATE_TEST_SUITE_P(Screen, HeldPictures, testing::Values(PixelFormat::Rgb8, PixelFormat::Rgb565),
+                         [](const auto& row) { return std::string(toString(row.param)); });
+
+TEST_P(HeldPictures, StayAsTheyAreWhileOthersAreShown) {
+    platform::SurfaceOptions options = GuestTest::options();
+    options.screen.format = GetParam();
+    auto surface = openSurface(options);
+    ASSERT_TRUE(surface);
+    EXPECT_EQ(surface->holdShown(), nullptr) << "nothing is shown yet";
+    const VmScene scene(surface->getProcAddress());
+    showFrame(*surface, scene);
+    const VmPicture first =
+        scannedOut(GetParam() == PixelFormat::Rgb565 ? DRM_FORMAT_RGB565 : DRM_FORMAT_XRGB8888);
+    std::shared_ptr<platform::HeldPicture> held = surface->holdShown();
+    ASSERT_TRUE(held);
+    const auto showColour = [&](float red) {
+        ASSERT_TRUE(*surface->begin());
+        scene.gl().ClearColor(red, 0, 0, 1);
+        scene.gl().Clear(GL_COLOR_BUFFER_BIT);
+        ASSERT_TRUE(surface->submit());
+        ASSERT_TRUE(waitFor(*surface, platform::SurfaceState::Ready, std::chrono::seconds(2)));
+    };
+    for (int frame = 0; frame < 6; ++frame)
+        showColour(1);
+    Result<platform::ScreenPicture> copy = Error{};
+    std::thread([&] { copy = held->read(); }).join();
+    ASSERT_TRUE(copy) << toString(copy.error());
+    const bool isNarrow = GetParam() == PixelFormat::Rgb565;
+    const VmPicture kept = isNarrow ? narrowed(pictureOf(*copy)) : pictureOf(*copy);
+    const VmPicture expected = isNarrow ? narrowed(first) : first;
+    EXPECT_TRUE(kept == expected) << difference(kept, expected);
+    held.reset(); // Its buffer is drawn to again.
+    for (int frame = 0; frame < 6; ++frame)
+        showColour(1);
+    held = surface->holdShown();
+    copy = held->read();
+    ASSERT_TRUE(copy) << toString(copy.error());
+    EXPECT_EQ(pictureOf(*copy).pixels, std::vector<std::uint32_t>(160UL * 120, 0xFF0000));
+    surface.reset();
+    EXPECT_EQ(held->read().error().code, "surface.picture") << "its buffers are gone";
 }
 
 } // namespace

@@ -6,10 +6,14 @@
 #include "kiosk/report/background_task.h"
 
 #include <filesystem>
+#include <functional>
 
 namespace kiosk {
 
-/// Compresses and writes pictures on a thread of its own, so that no frame waits for the disk.
+/// Copies what the screen shows, on any thread; once.
+using PictureSource = std::function<franken::Result<franken::Image>()>;
+
+/// Copies, compresses and writes pictures on a thread of its own, so that no frame waits for the disk.
 class Screenshots {
 public:
     Screenshots(std::filesystem::path folder, franken::Log log)
@@ -19,7 +23,7 @@ public:
     bool areBusy() const { return m_task.runs(); }
     /// Writes screenshot.png into the folder. Without a folder, the log says that there is none. Only while
     /// none is being written.
-    void write(franken::Image picture);
+    void write(PictureSource picture);
 
 private:
     std::filesystem::path m_folder;

@@ -125,6 +125,9 @@ Result<void> GbmTarget::makeTarget(const KmsBuffer& like, PixelFormat) {
 }
 
 void GbmTarget::dropTarget() {
+    for (const auto& [framebuffer, held] : m_held)
+        if (const std::shared_ptr<HeldBuffer> reader = held.lock())
+            reader->revoke();
     if (m_display != EGL_NO_DISPLAY)
         unbind();
     if (m_window != EGL_NO_SURFACE)
@@ -132,6 +135,8 @@ void GbmTarget::dropTarget() {
     if (m_surface != nullptr)
         gbm_surface_destroy(std::exchange(m_surface, nullptr));
     m_locked.clear();
+    m_held.clear();
+    m_toRelease.clear();
 }
 
 Result<void> GbmTarget::bind() {
@@ -143,6 +148,7 @@ Result<void> GbmTarget::bind() {
 void GbmTarget::unbind() { eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
 Result<std::uint32_t> GbmTarget::swap() {
+    releaseUnheld();
     if (Result<void> swapped = swapEglBuffers(m_display, m_window); !swapped)
         return swapped.error();
     gbm_bo* buffer = gbm_surface_lock_front_buffer(m_surface);
@@ -171,10 +177,31 @@ Result<std::uint32_t> GbmTarget::framebufferOf(gbm_bo* buffer) {
 }
 
 void GbmTarget::release(std::uint32_t framebuffer) {
+    if (const auto held = m_held.find(framebuffer); held != m_held.end() && !held->second.expired()) {
+        m_toRelease.insert(framebuffer);
+        return;
+    }
     if (const auto locked = m_locked.find(framebuffer); locked != m_locked.end()) {
         gbm_surface_release_buffer(m_surface, locked->second);
         m_locked.erase(locked);
     }
+}
+
+std::shared_ptr<HeldPicture> GbmTarget::hold(std::uint32_t framebuffer) {
+    const auto locked = m_locked.find(framebuffer);
+    if (locked == m_locked.end())
+        return nullptr;
+    if (std::shared_ptr<HeldBuffer> held = m_held[framebuffer].lock())
+        return held;
+    const auto held = std::make_shared<HeldBuffer>(locked->second, m_mapping);
+    m_held[framebuffer] = held;
+    return held;
+}
+
+void GbmTarget::releaseUnheld() {
+    std::erase_if(m_held, [](const auto& entry) { return entry.second.expired(); });
+    for (const std::uint32_t framebuffer : std::exchange(m_toRelease, {}))
+        release(framebuffer);
 }
 
 } // namespace franken::platform

@@ -2,9 +2,13 @@
 #pragma once
 
 #include "../egl.h"
+#include "held_buffer.h"
 #include "screen.h"
 
-struct gbm_bo;
+#include <map>
+#include <mutex>
+#include <set>
+
 struct gbm_device;
 struct gbm_surface;
 
@@ -27,6 +31,8 @@ public:
     void unbind();
     /// Ends the frame; the framebuffer that holds it.
     Result<std::uint32_t> swap();
+    /// Keeps that framebuffer from being drawn to, if it is the target's, until the last owner lets it go.
+    std::shared_ptr<HeldPicture> hold(std::uint32_t framebuffer);
     int samples() const { return m_samples; }
     /// Counts the targets, so that a frame can be told from one for an older target.
     int generation() const { return m_generation; }
@@ -37,6 +43,7 @@ private:
     Result<void> openContext();
     Result<EGLConfig> chooseConfig(std::uint32_t fourcc, int samples) const;
     void dropTarget();
+    void releaseUnheld();
     Result<std::uint32_t> framebufferOf(gbm_bo* buffer);
 
     KmsDevice& m_device;
@@ -49,6 +56,9 @@ private:
     gbm_bo* m_tried = nullptr;
     KmsBuffer m_like;
     std::map<std::uint32_t, gbm_bo*> m_locked; ///< By framebuffer.
+    std::map<std::uint32_t, std::weak_ptr<HeldBuffer>> m_held;
+    std::set<std::uint32_t> m_toRelease; ///< Once nobody holds them.
+    std::shared_ptr<std::mutex> m_mapping = std::make_shared<std::mutex>();
 };
 
 } // namespace franken::platform

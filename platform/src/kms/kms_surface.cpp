@@ -36,6 +36,9 @@ public:
     GetProcAddress getProcAddress() const override { return eglFunction; }
     int descriptor() const override { return m_poll.get(); }
     SurfaceEvents dispatch() override;
+    std::shared_ptr<HeldPicture> holdShown() override {
+        return m_screen ? m_target->hold(m_screen->shown()) : nullptr;
+    }
     Result<void> blank(Blanking blanking) override;
     void pause() override;
     void resume() override;

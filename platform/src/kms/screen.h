@@ -59,6 +59,8 @@ public:
     const Error& failure() const { return m_failure; }
     /// The device is gone: only another KmsScreen on another KmsDevice can go on.
     bool deviceLost() const { return m_deviceLost; }
+    /// The framebuffer that is scanned out; 0: none of KmsBuffers.
+    std::uint32_t shown() const { return m_shown; }
     /// The current one, and how often it was another before.
     const KmsLayout& layout() const { return m_layout; }
     int layoutCount() const { return m_layoutCount; }

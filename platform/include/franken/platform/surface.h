@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace franken {
 namespace FRANKEN_API platform {
@@ -63,8 +64,8 @@ std::string_view toString(SurfaceState state);
 struct CompletedFrame {
     std::uint64_t sequence = 0;   ///< Of the screen's refresh; of the frame, for a surface without a screen.
     std::int64_t nanoseconds = 0; ///< When its first pixel was scanned out; CLOCK_MONOTONIC.
-    /// Refreshes between the one that it was due at, the first after begin(), and the one that showed it. 0 for
-    /// a frame that follows more than a second without any: nothing moved that could have come late.
+    /// Refreshes between the one that it was due at, the first after begin(), and the one that showed it. 0
+    /// for a frame that follows more than a second without any: nothing moved that could have come late.
     int missed = 0;
 };
 
@@ -78,6 +79,24 @@ struct SurfaceEvents {
     /// the objects again. Also set for the first context, after a start without a device.
     bool contextReplaced = false;
     bool closeRequested = false; ///< The window's close button.
+};
+
+/// A copy of a picture.
+struct ScreenPicture {
+    Size size; ///< Of the target.
+    std::vector<std::uint8_t>
+        rgba; ///< 8 bits each; rows from the top down, as the screen has them: not turned upright.
+};
+
+/// A picture that a screen shows, or has shown, and that is kept as it is while the next frames are drawn.
+class HeldPicture {
+public:
+    virtual ~HeldPicture() = default;
+
+    /// Copies it, in any thread, without GL and without waiting for a frame; takes tens of milliseconds for a
+    /// full screen of a Raspberry Pi. Fails with `surface.picture` where the driver does not let it be read,
+    /// or where its buffers are gone by now: after another mode, another device, or the surface's end.
+    virtual Result<ScreenPicture> read() = 0;
 };
 
 /// How a screen is made dark.
@@ -187,6 +206,13 @@ public:
     /// state(). Fails with `surface.lost` when the context and all its GL objects are gone: make a new
     /// surface and rebuild them; with `surface.state` without a begin() before it.
     Result<void> submit();
+
+    /// Keeps the picture of the last completed frame until what is returned is destroyed, in any thread: a
+    /// copy of it costs no frame anything. Meanwhile one buffer more is in use, of the memory that the
+    /// screen's buffers have (on a Raspberry Pi, the kernel's contiguous memory); so hold one at a time. Null
+    /// where nothing is shown, and for all surfaces but those of KMS: read those with glReadPixels before
+    /// submit().
+    virtual std::shared_ptr<HeldPicture> holdShown() { return nullptr; }
 
     /// Makes the screen dark, or wakes it; after waking, the next completed frame proves that it shows again.
     /// Fails with `surface.unsupported` where there is no screen to blank.
