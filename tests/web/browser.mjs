@@ -1,34 +1,37 @@
 // SPDX-License-Identifier: MIT
 // Chromium with the playground, for the tests: SITE and CHROMIUM are in the environment.
-import { readFile } from "node:fs/promises";
-import { createServer } from "node:http";
-import { extname } from "node:path";
+import { spawn } from "node:child_process";
+import { once } from "node:events";
 import { chromium } from "playwright-core";
 
-const { SITE, CHROMIUM } = process.env;
-const kTypes = { ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".gz": "application/gzip", ".json": "application/json" };
+const { SITE, CHROMIUM, SERVE } = process.env;
 const kFlags = ["--no-sandbox", "--disable-gpu-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader", "--disable-quic", "--no-first-run", "--disable-background-networking",
   "--disable-component-update", "--disable-sync"];
 
-async function respond(request, response) {
-  const file = new URL(request.url, "http://localhost").pathname.replace(/\/$/, "/index.html");
-  try {
-    const bytes = await readFile(`${SITE}${file}`);
-    response.writeHead(200, { "content-type": kTypes[extname(file)] ?? "application/octet-stream" });
-    response.end(bytes);
-  } catch {
-    response.writeHead(404);
-    response.end();
-  }
+/** The server that examples/web/serve.sh starts, on a free port. */
+async function startServer() {
+  const server = spawn("python3", ["-B", SERVE, SITE, "0"], { stdio: ["ignore", "pipe", "inherit"] });
+  const [said] = await Promise.race([once(server.stdout, "data"), once(server, "exit")]);
+  const [address] = /http:\S+/.exec(said) ?? [];
+  if (!address)
+    throw new Error(`the server does not start: ${said}`);
+  process.on("exit", () => server.kill());
+  return { address, stop: () => server.kill() };
+}
+
+/** Multisampling mixes encoded colours along the edges of triangles: left out where pictures are compared. */
+export function withoutMultisampling() {
+  const get = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, asked) {
+    return get.call(this, kind, { ...asked, antialias: false });
+  };
 }
 
 /** A server on the loopback interface and a browser; close() ends both. */
 export async function openBrowser() {
-  const server = createServer(respond);
-  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const server = await startServer();
   const browser = await chromium.launch({ executablePath: CHROMIUM, args: kFlags });
-  const address = `http://127.0.0.1:${server.address().port}/`;
 
   /** A page at that state, ready. Errors of the page are thrown by problems(). */
   async function open(hash = "", { width = 1280, height = 900, before, ...options } = {}) {
@@ -42,18 +45,39 @@ export async function openBrowser() {
     page.problems = () => found;
     if (before)
       await page.addInitScript(before);
-    await page.goto(address + hash);
+    await page.goto(server.address + hash);
     await page.waitForSelector("body[data-ready]", { timeout: 60000 });
     return page;
   }
 
-  return { open, address, close: async () => { await browser.close(); server.close(); } };
+  return { open, close: async () => { await browser.close(); server.stop(); } };
 }
 
+let opened, common;
+
+/** The browser that the tests of one process share, and a page of it; withoutMultisampling() holds for that page. */
+const sharedBrowser = () => (opened ??= openBrowser());
+export const sharedPage = () => (common ??= sharedBrowser().then(({ open }) => open("", { before: withoutMultisampling })));
+export const closeShared = async () => (await opened)?.close();
+
+/** A page of its own, for what happens when it starts. */
+export const freshPage = async (hash, options) => (await sharedBrowser()).open(hash, options);
+
+/** Takes a page to the state of an address: what that does not say is as usual. */
+export const go = (page, hash) => page.evaluate((hash) => {
+  history.replaceState(null, "", location.pathname + hash);
+  dispatchEvent(new HashChangeEvent("hashchange"));
+}, hash);
+
+export const textOf = (page, id) => page.textContent(`#${id}`);
+export const stateOf = (page) => page.evaluate(() => ({ ...playground.state }));
+export const skyIsThere = (page) => page.waitForFunction(() => playground.sky.cube, null, { timeout: 120000 });
+
+export const kBackground = [33, 33, 36]; // Of picture.js, as codes.
+
 /** What the canvas shows, from the lowest row up, and its size. */
-export async function pixelsOf(page) {
+export async function readPixels(page) {
   const { width, height, text } = await page.evaluate(() => {
-    playground.draw();
     const { gl } = playground.picture.driver;
     const [width, height] = [gl.drawingBufferWidth, gl.drawingBufferHeight];
     const bytes = new Uint8Array(width * height * 4);
@@ -64,6 +88,12 @@ export async function pixelsOf(page) {
     return { width, height, text: btoa(text) };
   });
   return { width, height, rgba: Buffer.from(text, "base64") };
+}
+
+/** The same of a frame that is drawn for it. */
+export async function pixelsOf(page) {
+  await page.evaluate(() => playground.draw());
+  return readPixels(page);
 }
 
 /** Pixels whose neighbours, `rim` away, all differ from the background: inside of what is drawn. */

@@ -96,8 +96,10 @@ class Page {
   /** Takes part of another state. A name that is refused leaves the state alone. */
   set(part) {
     try {
-      if (part.name)
+      if (part.name) {
         part.name = this.describe(part.name).name;
+        this.say("");
+      }
     } catch (error) {
       this.say(error.message, true);
       return;
@@ -343,10 +345,7 @@ class Page {
     element("shape").append(optionOf("sphere", "Sphere"), optionOf("model", "Urn"));
     element("shape").addEventListener("change", ({ target }) => this.set({ shape: target.value }));
     element("material").addEventListener("change", () => this.show());
-    element("name").addEventListener("change", ({ target }) => {
-      this.say("");
-      this.set({ name: target.value });
-    });
+    element("name").addEventListener("change", ({ target }) => this.set({ name: target.value }));
     addEventListener("hashchange", () => {
       const { name, ...rest } = readState(location.hash);
       this.set({ ...rest, name });

@@ -12,7 +12,8 @@ const kAgainstTruth = "Against brute force under a sunset, our reflection is 1.2
 
 const kSeed = "basecolor.normal+seed+decode-none+linear";
 const kSeedNumbers = { red: 1, green: 1, blue: 1, metallic: 0, roughness: 0.6, shape: "sphere" };
-const kSeedNotes = "Its shader, word by word: Schlick-GGX with (roughness + 1)² / 8, textures taken as linear, and nothing encoded. Its ambient colour is raised to 2.2 on the CPU; a sun's radiance of 1 is 1 lux. Its bitangent points the other way: our texture's green is turned for it. With that, a sun and an ambient colour differ by one code at most without metal; with metal 99.99 % of the picture does, and all of it within 8.";
+const kKeptEye = "N.V is kept above 0.0001 here and above 0 there, which shows where a normal map turns a normal away from the eye";
+const kSeedNotes = `Its shader, word by word: Schlick-GGX with (roughness + 1)² / 8, textures taken as linear, and nothing encoded. Its ambient colour is raised to 2.2 on the CPU; a sun's radiance of 1 is 1 lux. Its bitangent points the other way: our texture's green is turned for it. In its sun, ${kKeptEye}: of metal, up to 8 codes in 0.004 % of the picture. With our bound in its place, or without metal, a sun and an ambient colour differ by one code at most.`;
 
 export const kPresets = {
   "004 ambient": {
@@ -42,7 +43,7 @@ export const kPresets = {
       roughness: 0.1, ambient: 0.2, candela: kFlux, yaw: 0, pitch: 0,
     },
     lights: { punctual: kFrom000.map((position) => ({ position, color: [1, 1, 1], intensity: kFlux, range: 100 })) },
-    notes: "Its roughness slider is our roughness (it squares it). Its visibility is Hammon's: `fast`. Each of its lights has a radiant flux of 3,000, which is 3,000 / 4π in every direction; its window of range is glTF's. Reinhard, then 1/2.2. Its ambient light of 0.2 is our ambient colour. With metallic 0 or 1 the pictures differ by one code at most. Between them it dims the diffuse light by the Fresnel term of the mixture, and glTF mixes two surfaces: up to 16 codes at 0.5.",
+    notes: "Its roughness slider is our roughness (it squares it). Its visibility is Hammon's: `fast`. Each of its lights has a radiant flux of 3,000, which is 3,000 / 4π in every direction; its window of range is glTF's. Reinhard, then 1/2.2. Its ambient light of 0.2 is our ambient colour. With metallic 0 or 1 the pictures differ by one code at most. Between them it dims the diffuse light by the Fresnel term of the mixture, and glTF mixes two surfaces, each with its own: 16 codes at 0.5. With a dielectric's term in that place, it is one code again.",
   },
   "002": {
     title: "Textures and environment",
@@ -51,7 +52,7 @@ export const kPresets = {
       shape: "sphere", red: 1, green: 1, blue: 1, metallic: 1, roughness: 1, candela: 20,
     },
     lights: { punctual: [{ position: [2, 2, 3], color: [1, 1, 1] }] },
-    notes: `It decodes base colours by 2.2; we have no word for that and take sRGB's curve. Its divisor is kept above 0 by adding 0.0001, that of seed by a floor of 0.001; and it makes the frame of the normal map orthonormal in each pixel. Without its environment, and with decoded textures, 99.97 % of the picture is within one code of its functions, and all within 7; the cause of the rest is not known. Its environment is a split sum. ${kAgainstTruth} One point light, Reinhard, 1/2.2.`,
+    notes: `It decodes base colours by 2.2; we have no word for that and take sRGB's curve. Without its environment, and with decoded textures, 99.97 % of the picture is within one code of its functions, and all of it within 7. Two bounds make the rest: its divisor 4 N.L N.V is kept above 0 by adding 0.0001, ours by a floor of 0.001; and ${kKeptEye}. With both of ours in its text, it is one code at most. Its environment is a split sum. ${kAgainstTruth} One point light, Reinhard, 1/2.2.`,
   },
   "003": {
     title: "Metal in an environment",
@@ -60,6 +61,6 @@ export const kPresets = {
       roughness: 0.18, candela: 20,
     },
     lights: { punctual: [{ position: [2, 2, 3], color: [1, 1, 1] }] },
-    notes: `It names F, G and D for punctual light and gives no formulas of G and D; ours are glTF's. It looks its diffuse light up in the mirrored direction and encodes each fetch by 1/2.2 before it adds; we light by the irradiance at the normal, add in linear light, and encode once. ${kAgainstTruth}`,
+    notes: `It names F, G and D for punctual light and gives no formulas of G and D; ours are glTF's. It adds all diffuse light to what is mirrored, which glTF takes out of it: 2 codes in its own settings. With diffuse light dimmed by a dielectric's Fresnel term, the rest of its formulas is one code at most from ours. It looks the diffuse light of its environment up in the mirrored direction and encodes each fetch by 1/2.2 before it adds; we light by the irradiance at the normal, add in linear light, and encode once. ${kAgainstTruth}`,
   },
 };
