@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The covering set and 800 random permutations through the compilers of the Raspberry Pi's GPUs.
+// The covering set and 200 random permutations (with FRANKEN_LONG=1 in the environment: 800) through the
+// compilers of the Raspberry Pi's GPUs.
 #include "franken/generator/budget.h"
 #include "franken/generator/compose.h"
 #include "franken/generator/covering.h"
@@ -8,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <set>
 
@@ -20,7 +22,7 @@ namespace {
 // Each program that is measured on that GPU, once. These GPUs compute in 32 bits.
 std::vector<Permutation> programsFor(const cli::Gpu& gpu) {
     std::vector<Permutation> all = coveringSet();
-    for (const Permutation& permutation : randomPermutations(800, 2))
+    for (const Permutation& permutation : randomPermutations(std::getenv("FRANKEN_LONG") ? 800 : 200, 2))
         all.push_back(canonical(permutation));
     std::vector<Permutation> programs;
     std::set<Key> seen;
