@@ -20,6 +20,8 @@ using platform::SurfaceState;
 namespace {
 
 constexpr Time kHeartbeat = std::chrono::seconds(10);
+// Longer, nothing stands still: another program may have taken the screen, and the GPU is tested by frames.
+constexpr Time kLongestStill = std::chrono::minutes(1);
 constexpr Time kTick = std::chrono::seconds(1); // How often the GPU and the clock are looked at.
 // A restart that is due for a minute must not be done over and over within it.
 constexpr Time kLeastUptime = std::chrono::minutes(5);
@@ -166,7 +168,7 @@ void Kiosk::surfaceReadable() {
     if (events.stateChanged && m_console && m_surface->state() == SurfaceState::Paused)
         if (const Result<void> left = m_console->left(); !left)
             m_log(LogLevel::Warning, franken::toString(left.error()));
-    m_isStale = m_isStale || events.stateChanged || events.layoutChanged || events.contextReplaced;
+    m_isStale = m_isStale || events.layoutChanged || events.contextReplaced;
     m_ends = m_ends || events.closeRequested;
 }
 
@@ -217,7 +219,7 @@ void Kiosk::followClock() {
 
 /// When a frame is due although nothing moves.
 Time Kiosk::nextByTime() const {
-    Time next = m_show->nextMove(now());
+    Time next = std::min(m_show->nextMove(now()), m_lastFrame + kLongestStill);
     if (m_show->showsStatistics())
         next = std::min(next, m_nextStatistics);
     if (!m_config.files.heartbeat.empty())
@@ -229,9 +231,9 @@ Result<void> Kiosk::frameIfDue() {
     if (!m_dark.empty())
         return {};
     const Time next = nextByTime();
-    if (!m_isStale && !m_wantsScreenshot && !m_show->moves(now()) && next > now()) {
-        if (next != Time::max())
-            m_frameTimer->arm(next);
+    const bool isOutdated = m_isStale || m_surface->wantsFrame() || m_wantsScreenshot;
+    if (!isOutdated && !m_show->moves(now()) && next > now()) {
+        m_frameTimer->arm(next);
         return {};
     }
     const bool isOnScreen = m_surface->backend() == platform::Backend::Kms;
@@ -255,6 +257,7 @@ Result<void> Kiosk::frame() {
     }
     const Time begun = now();
     m_pace.begun(begun);
+    m_lastFrame = begun;
     if (m_show->showsStatistics() && begun >= m_nextStatistics) {
         m_nextStatistics = begun + kTick;
         m_show->setStatistics(m_monitor->statistics());

@@ -88,7 +88,7 @@ private:
 
     std::vector<std::unique_ptr<EventLoop::Source>> m_sources;
     std::unique_ptr<EventLoop::Timer> m_frameTimer, m_clockTimer, m_aliveTimer;
-    Time m_started, m_frameWork{0}, m_nextHeartbeat{0}, m_nextStatistics{0};
+    Time m_started, m_frameWork{0}, m_lastFrame{0}, m_nextHeartbeat{0}, m_nextStatistics{0};
     Trouble m_beating{"no heartbeat", "the heartbeat is written again"};
     std::string m_state;
     bool m_isStale = true; ///< Something changed that the screen does not show yet.

@@ -85,7 +85,10 @@ TEST_F(KioskLife, MotionAndKeysWakeItAndIdleTimeDoesNotPassWhileSomebodyIsThere)
     const UinputDevice keys(UinputDevice::Kind::Keyboard, "kiosk keys");
     start(kStill + "[presence]\npin = 23\nidle-minutes = 1\n");
     ASSERT_TRUE(logs("shows"));
+    std::this_thread::sleep_for(2s);
+    const double frames = metric("frame_duration_seconds_count");
     ASSERT_TRUE(logs("the screen is dark: nobody is there", 62));
+    EXPECT_LE(metric("frame_duration_seconds_count"), frames + 2) << "nothing moves but the caption";
     chip.pull(23, true);
     ASSERT_TRUE(logs("the screen wakes", 1));
     EXPECT_FALSE(logs("the screen is dark", 90)) << "somebody stands there";

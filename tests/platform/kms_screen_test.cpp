@@ -306,11 +306,30 @@ TEST_F(KmsScreenTest, ABadLinkIsSetAgain) {
     open();
     screen->present(11, now);
     flip(1);
+    EXPECT_FALSE(screen->wantsFrame());
     device.resources.connectors[0].properties["link-status"].value = 1;
     screen->update(now);
+    EXPECT_TRUE(screen->wantsFrame()) << "a still picture would not come back";
     screen->present(12, now);
     EXPECT_TRUE(flip(2));
     EXPECT_EQ(device.modesets, 2);
+}
+
+TEST_F(KmsScreenTest, WantsAFrameAtTheStartAndAfterAResetOrABlanking) {
+    open();
+    EXPECT_TRUE(screen->wantsFrame());
+    screen->present(11, now);
+    EXPECT_FALSE(screen->wantsFrame()) << "it is on its way";
+    flip(1);
+    EXPECT_FALSE(screen->wantsFrame());
+    screen->reset(now);
+    EXPECT_TRUE(screen->wantsFrame());
+    screen->present(12, now);
+    flip(2);
+    screen->blank(Blanking::Off, now);
+    screen->blank(Blanking::None, now);
+    EXPECT_EQ(screen->state(), SurfaceState::Ready);
+    EXPECT_TRUE(screen->wantsFrame());
 }
 
 TEST_F(KmsScreenTest, APanelComesBeforeAPlugUnlessAnotherOutputIsNamed) {

@@ -59,6 +59,8 @@ public:
     const Error& failure() const { return m_failure; }
     /// The device is gone: only another KmsScreen on another KmsDevice can go on.
     bool deviceLost() const { return m_deviceLost; }
+    /// No frame of this screen's is shown, or on its way or waiting to be.
+    bool wantsFrame() const { return m_flying == 0 && m_waiting == 0 && (m_shown == 0 || m_needsModeset); }
     /// The framebuffer that is scanned out; 0: none of KmsBuffers.
     std::uint32_t shown() const { return m_shown; }
     /// The current one, and how often it was another before.

@@ -159,6 +159,11 @@ public:
     /// Whether frames are shown.
     SurfaceState state() const { return m_state; }
 
+    /// Whether the screen needs a frame although nothing moved: it shows none yet, or not this one's any more
+    /// (after another mode, another master, a blanking, a reset). Draw it once the state is Ready. A surface
+    /// without a screen never does.
+    bool wantsFrame() const { return m_wantsFrame; }
+
     /// A description of the state, for people: the screen, its mode and format; the reason for waiting; or
     /// the last error.
     const std::string& status() const { return m_status; }
@@ -263,6 +268,7 @@ protected:
     std::string m_status;
     Error m_failure;
     bool m_hasContext = true;
+    bool m_wantsFrame = false;
 
 private:
     bool m_begun = false;
