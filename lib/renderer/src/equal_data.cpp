@@ -50,7 +50,7 @@ std::size_t SampledImageHash::operator()(const SampledImage& texture) const {
 }
 
 bool SampledImageEqual::operator()(const SampledImage& a, const SampledImage& b) const {
-    return a.contents == b.contents && a.sampling.wrapS == b.sampling.wrapS &&
+    return a.contents == b.contents && a.widening == b.widening && a.sampling.wrapS == b.sampling.wrapS &&
            a.sampling.wrapT == b.sampling.wrapT && a.sampling.magFilter == b.sampling.magFilter &&
            a.sampling.minFilter == b.sampling.minFilter && a.image->width == b.image->width &&
            (a.image == b.image || (a.image->rgba == b.image->rgba && a.image->encoded == b.image->encoded));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "gpu_scene.h"
 
+#include <limits>
+
 namespace franken {
 
 DefaultTextures::DefaultTextures(const Gl& gl) {
@@ -16,10 +18,44 @@ Outline outlineOf(const Scene& scene) {
     outline.scene.variants = scene.variants;
     outline.scene.nodes = scene.nodes;
     outline.scene.skins = scene.skins;
+    outline.scene.normalsWidenRoughness = scene.normalsWidenRoughness;
     for (const Instance& instance : scene.instances)
         outline.nodes.push_back(instance.name);
     worldsOf(scene, restPose(scene), outline.rest);
     return outline;
+}
+
+TextureUse useOf(const MaterialPlan& plan, const MaterialFactors& factors, std::size_t unit) {
+    const Permutation& choices = plan.permutation;
+    const bool packed = choices.metallicRoughness == MetallicRoughness::Packed;
+    const std::size_t roughness =
+        rowOf(packed ? TextureRole::MetallicRoughness : TextureRole::Roughness).unit;
+    TextureUse use{.texture = plan.textures[unit]};
+    if (unit != roughness || choices.normal != Normal::Map || choices.shading == Shading::Unlit ||
+        choices.normalUv != choices.metallicRoughnessUv)
+        return use;
+    use.normals = plan.textures[rowOf(TextureRole::Normal).unit];
+    use.scale = factors.normalScale;
+    use.factor = factors.roughness;
+    use.channel = packed ? 1 : 0;
+    return use;
+}
+
+const std::size_t* GpuScene::findTexture(int texture) const {
+    const auto found = textureOf.lower_bound({.texture = texture});
+    return found == textureOf.end() || found->first.texture != texture ? nullptr : &found->second;
+}
+
+std::size_t GpuScene::textureFor(const TextureUse& use) const {
+    const auto exact = textureOf.find(use);
+    if (exact != textureOf.end())
+        return exact->second;
+    constexpr float kLeast = std::numeric_limits<float>::lowest();
+    const auto pair =
+        textureOf.lower_bound({.texture = use.texture, .normals = use.normals, .scale = kLeast});
+    const bool isPair =
+        pair != textureOf.end() && pair->first.texture == use.texture && pair->first.normals == use.normals;
+    return isPair ? pair->second : *findTexture(use.texture);
 }
 
 void planMaterial(GpuMaterial& gpu, const Scene& outline, const Log& log) {
@@ -40,7 +76,8 @@ void bindTextures(GpuMaterial& material, const GpuScene& gpu, const DefaultTextu
         const int texture = material.plan.textures[unit];
         material.textures[unit] =
             texture == kNone ? defaults.at(unit)
-                             : gpu.textures[gpu.textureOf[static_cast<std::size_t>(texture)]].texture.name();
+                             : gpu.textures[gpu.textureFor(useOf(material.plan, material.plan.factors, unit))]
+                                   .texture.name();
     }
 }
 

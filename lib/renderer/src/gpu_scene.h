@@ -20,6 +20,20 @@
 
 namespace franken {
 
+/// A texture of the scene, as a material uses it. A roughness texture is another one beside another normal
+/// map, because its mips hold what those of the normal map lose.
+struct TextureUse {
+    int texture;             ///< Of the scene.
+    int normals = kNone;     ///< Of the scene; kNone where the texture's mips are its own alone.
+    float scale = 0;         ///< Of the normal map.
+    float factor = 0;        ///< Of roughness.
+    std::size_t channel = 0; ///< That holds roughness.
+    auto operator<=>(const TextureUse&) const = default;
+};
+/// The material's texture in that unit, with the factors that are in its mips. Beside a normal map with other
+/// texture coordinates, roughness is by itself: their mips cover other parts of the surface.
+TextureUse useOf(const MaterialPlan& plan, const MaterialFactors& factors, std::size_t unit);
+
 /// A material on the GPU, on vertices with certain contents.
 struct GpuMaterial {
     int material; ///< Of the scene.
@@ -61,7 +75,7 @@ struct Drawable {
 /// A scene's GL objects and draws.
 struct GpuScene {
     std::vector<GpuTexture> textures;
-    std::vector<std::size_t> textureOf; ///< By scene texture; kNotUploaded where no material uses it.
+    std::map<TextureUse, std::size_t> textureOf; ///< Those that materials use.
     std::vector<GpuMesh> meshes;
     std::vector<GpuMaterial> materials;
     std::vector<GpuPrimitive> primitives; ///< In the order of the scene's meshes.
@@ -69,7 +83,11 @@ struct GpuScene {
     /// By place and drawable: what a pose has deformed.
     std::map<std::pair<PlaceId, std::size_t>, PosedMesh> posed;
 
-    static constexpr std::size_t kNotUploaded = ~std::size_t{0};
+    /// The first use of a texture of the scene; null where no material used it when it was uploaded.
+    const std::size_t* findTexture(int texture) const;
+    /// The same for this use; where that was not uploaded, because a material has changed, for the one that
+    /// is nearest: with that normal map, or any.
+    std::size_t textureFor(const TextureUse& use) const;
 };
 
 /// What stays of a scene when its pixels and vertices are on the GPU.

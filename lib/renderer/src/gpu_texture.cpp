@@ -81,7 +81,7 @@ std::size_t textureBytes(TextureSize size, bool mipmaps) {
 }
 
 Result<TextureData> TextureData::make(const Image& image, const Texture& texture, TextureContents contents,
-                                      const Capabilities& capabilities) {
+                                      const Capabilities& capabilities, const Look& look) {
     if (Result<void> checked = check(image); !checked)
         return checked.error();
     TextureData data(image, texture, contents);
@@ -96,6 +96,8 @@ Result<TextureData> TextureData::make(const Image& image, const Texture& texture
                          "fill in width and height as the encoded bytes have them"};
         data.m_own = *std::move(decoded);
     }
+    if (look)
+        look(data.level(0));
     const TextureSize size = fittedSize(data.level(0), texture, capabilities);
     if (std::max(data.level(0).width, data.level(0).height) > capabilities.maxTextureSize)
         data.m_notice = "image \"" + image.name + "\" is scaled down to " + std::to_string(size.width) + "x" +
@@ -113,6 +115,18 @@ TextureData TextureData::texel(const std::array<std::uint8_t, 4>& rgba, const Te
     TextureData data(kEmpty, texture, contents);
     data.m_own = Image{"", 1, 1, {rgba.begin(), rgba.end()}};
     return data;
+}
+
+void TextureData::roughen(const NormalSpread& spread, TextureSize normals, std::size_t channel,
+                          float factor) {
+    const Image& whole = level(0);
+    if (normals.width <= whole.width && normals.height <= whole.height && spread.widens(whole)) {
+        Image widened = whole;
+        spread.roughen(widened, channel, factor);
+        m_own = std::move(widened);
+    }
+    for (Image& smaller : m_smaller)
+        spread.roughen(smaller, channel, factor);
 }
 
 std::size_t TextureData::bytes() const {

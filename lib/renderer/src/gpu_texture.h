@@ -4,10 +4,12 @@
 #include "device.h"
 #include "franken/environment.h"
 #include "franken/gl_object.h"
+#include "franken/normal_spread.h"
 #include "franken/resample.h"
 #include "franken/scene.h"
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -44,14 +46,22 @@ std::size_t textureBytes(TextureSize size, bool mipmaps);
 /// levels where the filter uses them. Needs no GL.
 class TextureData {
 public:
+    /// What looks at an image's pixels as they are before they are resampled.
+    using Look = std::function<void(const Image&)>;
+
     /// The image must outlive the data, unless it is encoded. Fails with "renderer.image" for an image whose
     /// size and bytes differ, and as decodeImage() does. Safe on any thread.
     static Result<TextureData> make(const Image& image, const Texture& texture, TextureContents contents,
-                                    const Capabilities& capabilities);
+                                    const Capabilities& capabilities, const Look& look = {});
 
     /// One texel, in place of an image that cannot be decoded.
     static TextureData texel(const std::array<std::uint8_t, 4>& rgba, const Texture& texture,
                              TextureContents contents);
+
+    /// Of a roughness texture: its mips hold what those of a normal map lose, which is on the GPU in that
+    /// size. The whole image does where the normal map had to be scaled down to no more than its size: as a
+    /// mip does, it stands for several normals then. `factor`: of roughness, which `channel` holds.
+    void roughen(const NormalSpread& spread, TextureSize normals, std::size_t channel, float factor);
 
     std::size_t levels() const { return 1 + m_smaller.size(); }
     const Image& level(std::size_t i) const { return i > 0 ? m_smaller[i - 1] : m_own ? *m_own : *m_image; }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace franken {
 namespace {
@@ -45,6 +46,20 @@ Error unknownTexture(const char* code, int index) {
         code, "textures[" + std::to_string(index) + "]",
         "no material of the model was drawn with that texture when it was uploaded, so that it is not there",
         "use it in a material, or a variant's, before add()"};
+}
+
+/// Of a texture of the scene, each once; those that no other texture of the scene has as well.
+std::vector<std::size_t> uploadsOfNoOther(const GpuScene& gpu, int texture) {
+    std::vector<std::size_t> own;
+    for (const auto& [use, uploaded] : gpu.textureOf) {
+        const auto isOthers = [&, place = uploaded](const auto& each) {
+            return each.second == place && each.first.texture != texture;
+        };
+        if (use.texture == texture && std::find(own.begin(), own.end(), uploaded) == own.end() &&
+            std::none_of(gpu.textureOf.begin(), gpu.textureOf.end(), isOthers))
+            own.push_back(uploaded);
+    }
+    return own;
 }
 
 } // namespace
@@ -92,8 +107,7 @@ Result<void> checkLoaded(Model& model, int index, const Material& values) {
     for (const GpuMaterial& material : model.gpu->materials)
         if (material.material == index)
             for (const int texture : planMaterial(model.outline.scene, index, material.contents).textures)
-                if (texture != kNone &&
-                    model.gpu->textureOf[static_cast<std::size_t>(texture)] == GpuScene::kNotUploaded)
+                if (texture != kNone && model.gpu->findTexture(texture) == nullptr)
                     loaded = unknownTexture("renderer.material", texture);
     std::swap(current, others);
     return loaded;
@@ -131,7 +145,7 @@ Result<void> Models::setTexture(ModelId id, int index, const Image& image, Pictu
     if (Result<void> checked = check(image); !checked)
         return checked;
     if (!isIndex(index, model->outline.scene.textures.size()) ||
-        (model->gpu && model->gpu->textureOf[static_cast<std::size_t>(index)] == GpuScene::kNotUploaded))
+        (model->gpu && model->gpu->findTexture(index) == nullptr))
         return unknownTexture("renderer.texture", index);
     if (model->gpu)
         if (Result<void> replaced = replaceTexture(*model, index, image); !replaced)
@@ -150,27 +164,29 @@ void Models::replan(GpuMaterial& material, const Model& model) {
 
 Result<void> Models::replaceTexture(Model& model, int index, const Image& image) {
     GpuScene& gpu = *model.gpu;
-    std::size_t& uploaded = gpu.textureOf[static_cast<std::size_t>(index)];
     const Texture& sampling = model.outline.scene.textures[static_cast<std::size_t>(index)];
-    const bool isShared = std::count(gpu.textureOf.begin(), gpu.textureOf.end(), uploaded) > 1;
-    const TextureContents contents = gpu.textures[uploaded].contents;
-    const Result<bool> updated = isShared ? Result<bool>(false) : checkedUpload(m_device, [&] {
-        return updateTexture(m_device, gpu.textures[uploaded], image, sampling);
+    const TextureContents contents = gpu.textures[*gpu.findTexture(index)].contents;
+    const std::vector<std::size_t> own = uploadsOfNoOther(gpu, index);
+    const Result<bool> updated = own.empty() ? Result<bool>(false) : checkedUpload(m_device, [&] {
+        return updateTexture(m_device, gpu.textures[own.front()], image, sampling);
     });
     if (!updated)
         return updated.error();
-    if (*updated)
-        return {};
-    Result<GpuTexture> made =
-        checkedUpload(m_device, [&] { return uploadTexture(m_device, image, sampling, contents); });
-    if (!made)
-        return made.error();
-    if (isShared) {
-        uploaded = gpu.textures.size();
-        gpu.textures.push_back(*std::move(made));
-    } else {
-        gpu.textures[uploaded] = *std::move(made);
+    const std::size_t place = own.empty() ? gpu.textures.size() : own.front();
+    if (!*updated) {
+        Result<GpuTexture> made =
+            checkedUpload(m_device, [&] { return uploadTexture(m_device, image, sampling, contents); });
+        if (!made)
+            return made.error();
+        gpu.textures.resize(std::max(gpu.textures.size(), place + 1));
+        gpu.textures[place] = *std::move(made);
     }
+    for (const std::size_t other : own)
+        if (other != place)
+            gpu.textures[other] = {};
+    for (auto& [use, uploaded] : gpu.textureOf)
+        if (use.texture == index)
+            uploaded = place;
     for (GpuMaterial& material : gpu.materials)
         bindTextures(material, gpu, *m_defaults);
     return {};
@@ -178,8 +194,7 @@ Result<void> Models::replaceTexture(Model& model, int index, const Image& image)
 
 Result<void> Models::applyChanges(Model& model) {
     for (const auto& [index, change] : model.changedTextures) {
-        if (!isIndex(index, model.gpu->textureOf.size()) ||
-            model.gpu->textureOf[static_cast<std::size_t>(index)] == GpuScene::kNotUploaded)
+        if (model.gpu->findTexture(index) == nullptr)
             continue; // The source reads another file now.
         const Result<Image> read =
             change.source ? guarded("the source of a texture", change.source) : Result<Image>(change.image);

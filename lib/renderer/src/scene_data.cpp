@@ -3,10 +3,15 @@
 
 #include "franken/scene_check.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace franken {
 namespace {
+
+/// So many copies of a roughness texture beside different normal maps, and so many scales of a normal map: a
+/// file may name any number. What is beyond has the mips of another copy, or of the file.
+constexpr int kMostWidened = 4;
 
 class Planner {
 public:
@@ -14,7 +19,6 @@ public:
         : m_scene(scene), m_outline(outline), m_log(log) {}
 
     ScenePlan make() {
-        m_gpu.textureOf.assign(m_scene.textures.size(), GpuScene::kNotUploaded);
         std::vector<std::size_t> first; // By scene mesh: its first GpuPrimitive.
         for (const Mesh& mesh : m_scene.meshes) {
             first.push_back(m_gpu.primitives.size());
@@ -66,22 +70,46 @@ private:
                         .blended = false,
                         .block = {}};
         planMaterial(gpu, m_outline, m_log);
+        // Those of the scene, not what they are by now: mips stay as they are through a lost context.
+        const MaterialFactors& factors = m_scene.materials[static_cast<std::size_t>(material)].factors;
         for (std::size_t unit = 0; unit < kUsedTextureUnits; ++unit)
-            addTexture(gpu.plan.textures[unit], unit);
+            if (gpu.plan.textures[unit] != kNone)
+                addTexture(useOf(gpu.plan, factors, unit), unit);
         m_gpu.materials.push_back(std::move(gpu));
         return m_gpu.materials.size() - 1;
     }
 
-    void addTexture(int index, std::size_t unit) {
-        if (index == kNone || m_gpu.textureOf[static_cast<std::size_t>(index)] != GpuScene::kNotUploaded)
+    const Texture& textureAt(int index) const { return m_scene.textures[static_cast<std::size_t>(index)]; }
+
+    bool isWidened(const TextureUse& use) const {
+        return m_scene.normalsWidenRoughness && use.normals != kNone &&
+               usesMipmaps(textureAt(use.texture).minFilter) && usesMipmaps(textureAt(use.normals).minFilter);
+    }
+
+    bool hasMost(int texture) const {
+        int uses = 0;
+        for (auto each = m_gpu.textureOf.lower_bound({.texture = texture});
+             each != m_gpu.textureOf.end() && each->first.texture == texture; ++each)
+            ++uses;
+        return uses >= kMostWidened;
+    }
+
+    void addTexture(TextureUse use, std::size_t unit) {
+        const bool widened = isWidened(use);
+        if (!widened)
+            use = {.texture = use.texture};
+        if (m_gpu.textureOf.contains(use) || (widened && hasMost(use.texture)))
             return;
-        const Texture& source = m_scene.textures[static_cast<std::size_t>(index)];
+        const Texture& source = textureAt(use.texture);
         const Image& image = m_scene.images[static_cast<std::size_t>(source.image)];
-        const SampledImage sampled{&image, source, findRoleAt(unit)->contents};
+        SampledImage sampled{&image, source, findRoleAt(unit)->contents};
+        if (widened) // The normal map has a lower unit, and so is there already.
+            sampled.widening = {m_gpu.textureOf.at({.texture = use.normals}), use.scale, use.factor,
+                                use.channel};
         const auto [known, isNew] = m_textures.try_emplace(sampled, m_plan.textures.size());
         if (isNew)
             m_plan.textures.push_back({sampled, findRoleAt(unit)->defaultTexel});
-        m_gpu.textureOf[static_cast<std::size_t>(index)] = known->second;
+        m_gpu.textureOf.emplace(use, known->second);
     }
 
     const Scene& m_scene;
@@ -122,12 +150,40 @@ std::string nameOf(const Image& image, const Scene& scene) {
 
 } // namespace
 
+void SceneData::keepSpreads(std::size_t normals, const Image& image) {
+    std::size_t kept = 0;
+    for (const ScenePlan::PlannedTexture& other : m_plan.textures)
+        if (const Widening& widening = other.sampled.widening;
+            widening.normals == normals && kept < std::size_t{kMostWidened})
+            kept += m_spreads.try_emplace({normals, widening.scale}, image, widening.scale).second ? 1 : 0;
+}
+
+void SceneData::widen(TextureData& data, std::size_t index) {
+    const Widening& widening = m_plan.textures[index].sampled.widening;
+    const auto spread = m_spreads.find({widening.normals, widening.scale});
+    if (spread == m_spreads.end())
+        return; // It has no normal map, or one that cannot be decoded.
+    const SampledImage& normals = m_plan.textures[widening.normals].sampled;
+    data.roughen(spread->second, fittedSize(*normals.image, normals.sampling, m_input.capabilities),
+                 widening.channel, widening.factor);
+    const auto needsIt = [&](const ScenePlan::PlannedTexture& other) {
+        return other.sampled.widening.normals == widening.normals &&
+               other.sampled.widening.scale == widening.scale;
+    };
+    if (std::none_of(m_plan.textures.begin() + static_cast<std::ptrdiff_t>(index) + 1, m_plan.textures.end(),
+                     needsIt))
+        m_spreads.erase(spread);
+}
+
 TextureData SceneData::textureAt(std::size_t index) {
     const auto& [sampled, defaultTexel] = m_plan.textures[index];
     Result<TextureData> data =
-        TextureData::make(*sampled.image, sampled.sampling, sampled.contents, m_input.capabilities);
-    if (data)
+        TextureData::make(*sampled.image, sampled.sampling, sampled.contents, m_input.capabilities,
+                          [&](const Image& image) { keepSpreads(index, image); });
+    if (data) {
+        widen(*data, index);
         return *std::move(data);
+    }
     if (m_input.log)
         m_input.log(LogLevel::Warning, nameOf(*sampled.image, *m_input.scene) + ": " +
                                            toString(data.error()) + ": left out [gltf.left-out]");

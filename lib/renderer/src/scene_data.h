@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -53,10 +54,15 @@ public:
 private:
     SceneData(SceneInput input, ScenePlan plan) : m_input(std::move(input)), m_plan(std::move(plan)) {}
     TextureData textureAt(std::size_t index);
+    /// Of the normal map that is being made, for all textures that will be made with it.
+    void keepSpreads(std::size_t normals, const Image& image);
+    void widen(TextureData& data, std::size_t index);
 
     SceneInput m_input;
     ScenePlan m_plan;
     std::size_t m_mesh = 0, m_texture = 0;
+    /// By ScenePlan::textures and scale: of normal maps, until the last texture that needs them is made.
+    std::map<std::pair<std::size_t, float>, NormalSpread> m_spreads;
 };
 
 /// The pieces of a scene on their way to the GPU.

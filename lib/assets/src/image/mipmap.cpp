@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "franken/mipmap.h"
 
+#include "image/mip_taps.h"
 #include "image/srgb_tables.h"
 
 #include <algorithm>
@@ -10,37 +11,11 @@
 namespace franken {
 namespace {
 
-/// The pixels along an axis that one pixel of half the size covers: of an odd size, three in part, because
-/// the pixels of the smaller picture are a little wider than two.
-struct Taps {
-    std::array<int, 3> pixel;
-    std::array<float, 3> weight;
-};
-
-Taps tapsAt(int x, int size) {
-    const int first = 2 * x, half = size / 2;
-    if (size == 1)
-        return {{0, 0, 0}, {1, 0, 0}};
-    if (size % 2 == 0)
-        return {{first, first + 1, first + 1}, {0.5f, 0.5f, 0}};
-    const auto whole = static_cast<float>(size);
-    return {{first, first + 1, first + 2},
-            {static_cast<float>(half - x) / whole, static_cast<float>(half) / whole,
-             static_cast<float>(x + 1) / whole}};
-}
-
 /// Calls the function with each pixel that the taps weigh, and its weight.
 template<typename Function>
-void forEachTap(const Image& image, const Taps& across, const Taps& down, Function function) {
-    for (std::size_t j = 0; j < 3; ++j)
-        for (std::size_t i = 0; i < 3; ++i) {
-            const float weight = across.weight[i] * down.weight[j];
-            const auto pixel =
-                static_cast<std::size_t>(down.pixel[j]) * static_cast<std::size_t>(image.width) +
-                static_cast<std::size_t>(across.pixel[i]);
-            if (weight > 0)
-                function(image.rgba.data() + 4 * pixel, weight);
-        }
+void forEachPixel(const Image& image, const Taps& across, const Taps& down, Function function) {
+    forEachTap(image.width, across, down,
+               [&](std::size_t pixel, float weight) { function(image.rgba.data() + 4 * pixel, weight); });
 }
 
 std::uint8_t toCode(float value) { return static_cast<std::uint8_t>(std::lround(std::min(value, 255.0f))); }
@@ -50,7 +25,7 @@ using Pixel = std::array<std::uint8_t, 4>;
 Pixel meanColor(const Image& image, const Taps& across, const Taps& down) {
     const SrgbTables& tables = SrgbTables::get();
     std::array<float, 4> sum{};
-    forEachTap(image, across, down, [&](const std::uint8_t* rgba, float weight) {
+    forEachPixel(image, across, down, [&](const std::uint8_t* rgba, float weight) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             sum[channel] += weight * tables.lightOf(rgba[channel]);
         sum[3] += weight * static_cast<float>(rgba[3]);
@@ -60,7 +35,7 @@ Pixel meanColor(const Image& image, const Taps& across, const Taps& down) {
 
 Pixel meanNumbers(const Image& image, const Taps& across, const Taps& down) {
     std::array<float, 4> sum{};
-    forEachTap(image, across, down, [&](const std::uint8_t* rgba, float weight) {
+    forEachPixel(image, across, down, [&](const std::uint8_t* rgba, float weight) {
         for (std::size_t channel = 0; channel < 4; ++channel)
             sum[channel] += weight * static_cast<float>(rgba[channel]);
     });

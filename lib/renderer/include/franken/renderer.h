@@ -178,9 +178,10 @@ public:
 
     /// Replaces a material of the scene; `material` is an index into Scene::materials. Where only factors are
     /// others (colours, metallic, roughness, scales, cutoff), no program is looked up: some uniforms are
-    /// uploaded with the next draw. Fails with "renderer.material" for an unknown index, for numbers out of
-    /// range, for a texture that the scene does not have, and where the model would be drawn with one that
-    /// none of its materials was drawn with when it was uploaded.
+    /// uploaded with the next draw; mips of roughness keep what they had of a normal map. Fails with
+    /// "renderer.material" for an unknown index, for numbers out of range, for a texture that the scene does
+    /// not have, and where the model would be drawn with one that none of its materials was drawn with when
+    /// it was uploaded.
     Result<void> setMaterial(ModelId model, int material, const Material& values);
     /// The material as it is now, to be changed and set again. Fails as setMaterial() does.
     Result<Material> materialOf(ModelId model, int material) const;
@@ -188,7 +189,9 @@ public:
     /// Replaces the pixels of a texture of the scene (an index into Scene::textures), and its size; its
     /// filters stay. Uploads the image with its mipmaps, into the same memory where the size is the same. The
     /// source reads the pixels again; without one, the renderer keeps them. Fails as an upload, and with
-    /// "renderer.texture" for an index that is unknown or that no material uses.
+    /// "renderer.texture" for an index that is unknown or that no material uses. Mips of roughness keep what
+    /// they had of a normal map (Scene::normalsWidenRoughness) where that is replaced, and have none of it
+    /// where they are.
     Result<void> setTexture(ModelId model, int texture, const Image& image, PictureSource source = {});
 
     /// The names in a model; of evicted models as well. Copies them.
