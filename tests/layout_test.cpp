@@ -47,8 +47,9 @@ const std::vector<Part> kParts = {
     {"platform", {"lib/base"}, {}},
     {"examples",
      {"lib/base", "generator", "generator/command_line", "lib/programs", "lib/assets", "lib/renderer",
-      "platform"},
+      "platform", "examples/price"},
      {}},
+    {"examples/price", {"lib/base", "generator", "generator/cli", "lib/assets", "lib/renderer"}, {}},
     // The playground shows what `frankenshader` prints.
     {"examples/web", {"lib/base", "generator", "generator/cli", "lib/assets", "lib/renderer"}, {}},
 };

@@ -5,6 +5,7 @@
 #include "franken/command_line/mistake.h"
 #include "franken/generator/choices.h"
 #include "franken/printable.h"
+#include "price/frame_price.h"
 
 #include <algorithm>
 #include <charconv>
@@ -229,6 +230,28 @@ void addLoading(CLI::App& app, Options& options) {
         ->excludes("--frames");
 }
 
+void addPrice(CLI::App& app, Options& options) {
+    auto* const price =
+        app.add_option("--price", options.price,
+                       "Prints what the picture costs on a Raspberry Pi, in milliseconds, what that time "
+                       "goes by, and "
+                       "which changes would bring most: counted and computed here, without its GPU: " +
+                           CLI::detail::join(price::machineWords(), ", "))
+            ->type_name("PI")
+            ->check(cli::oneOf(price::machineWords()))
+            ->excludes("--permutations")
+            ->excludes("--list")
+            ->excludes("--pick")
+            ->excludes("--watch")
+            ->excludes("--turntable")
+            ->excludes("--frames");
+    app.add_flag("--json", options.json, "The price as JSON")->needs(price)->excludes("--stats");
+    app.add_flag("--measure", options.measure,
+                 "On a Raspberry Pi, with --backend egl: times the picture as well, and prints measured "
+                 "beside predicted")
+        ->needs(price);
+}
+
 void checkStrip(const Options& options) {
     const std::int64_t count = std::max(options.frames, options.turntable);
     if (options.strip && count == 0)
@@ -249,6 +272,8 @@ void checkTogether(const Options& options) {
     if (options.frames > 0 && options.animation.empty())
         throw CLI::ValidationError("--frames", "it needs --animation");
     checkStrip(options);
+    if (options.measure && options.backend != platform::Backend::EglSurfaceless)
+        throw CLI::ValidationError("--measure", "it needs --backend egl, which draws on the GPU");
     if (const auto& pick = options.pick)
         if ((*pick)[0] < 0 || (*pick)[1] < 0 || (*pick)[0] >= options.size.width ||
             (*pick)[1] >= options.size.height)
@@ -370,6 +395,7 @@ std::variant<ExitCode, Options> parseCommandLine(int argc, const char* const* ar
     addTarget(app, options);
     addPrograms(app, options);
     addLoading(app, options);
+    addPrice(app, options);
     addLook(app, options.look);
     cli::addManual(app, "frankenshader-viewer");
     try {

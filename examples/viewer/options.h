@@ -42,6 +42,9 @@ struct Options {
     bool list = false; ///< Says what is in the file, and draws nothing.
     /// The pixel of which to say what it shows; x, y from the top left.
     std::optional<std::array<int, 2>> pick;
+    std::string price;     ///< The Raspberry Pi to price the picture for, "pi3"; empty for none.
+    bool json = false;     ///< The price as JSON.
+    bool measure = false;  ///< Times the picture on this GPU beside the price.
     std::string variant;   ///< Empty for none.
     std::string animation; ///< A name or an index; empty for none: the file at rest.
     double time = 0;       ///< Of the animation, seconds.

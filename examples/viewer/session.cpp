@@ -10,7 +10,9 @@
 #include "franken/variants.h"
 #include "list.h"
 #include "loading.h"
+#include "measure.h"
 #include "picture.h"
+#include "pricing.h"
 #include "setup.h"
 
 #include <algorithm>
@@ -242,6 +244,21 @@ std::optional<Failure> Session::draw() {
         return failure;
     if (m_options.stats)
         printStats(*drawn);
+    return m_options.price.empty() ? std::nullopt : printPrice(subject);
+}
+
+std::optional<Failure> Session::printPrice(const Subject& subject) {
+    const Result<price::FramePrice> price =
+        priceOf(subject, m_options, m_studio->look(m_snippets), snippets(), m_studio->target());
+    if (!price)
+        return Failure{price.error(), ExitCode::Device};
+    std::cout << (m_options.json ? toJson(*price, snippets()) : toText(*price, snippets())) << std::flush;
+    if (!m_options.measure)
+        return {};
+    const Result<Measured> measured = m_studio->measure(subject);
+    if (!measured)
+        return Failure{measured.error(), ExitCode::Device};
+    std::cout << comparisonOf(*measured, price->bills[price->asked]) << std::flush;
     return {};
 }
 

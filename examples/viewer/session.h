@@ -48,6 +48,8 @@ private:
     std::optional<Failure> keep(const franken::Image& picture, int number);
     std::optional<Failure> drawFrames(Subject& subject);
     std::optional<Failure> drawTurned(Subject& subject, franken::OrbitCamera& orbit);
+    /// Prints what the subject costs on the options' Raspberry Pi.
+    std::optional<Failure> printPrice(const Subject& subject);
     franken::Result<Drawn> drawVisibly(Subject& subject);
     franken::Result<Drawn> drawSubject(const Subject& subject);
 

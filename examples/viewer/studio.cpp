@@ -89,6 +89,18 @@ DrawTarget Studio::target() const {
             .background = m_options.background};
 }
 
+Look Studio::look(const std::optional<SnippetSet>& snippets) const {
+    Look look = m_options.look;
+    look.srgbTarget = m_surface->srgbTarget();
+    look.effect = effectOf(snippets);
+    return look;
+}
+
+Result<Measured> Studio::measure(const Subject& subject) {
+    const Viewpoint viewpoint = viewpointOf(subject, aspectOf(target()));
+    return timeFrames(m_gl, [&] { return m_renderer.draw(viewpoint, target()); });
+}
+
 Result<Image> Studio::drawAgain(const Subject& subject) {
     if (Result<void> drawn = m_renderer.draw(viewpointOf(subject, aspectOf(target())), target()); !drawn)
         return drawn.error();
@@ -98,9 +110,7 @@ Result<Image> Studio::drawAgain(const Subject& subject) {
 
 Result<Drawn> Studio::draw(const Subject& subject, std::span<const ProgramUse> listed,
                            const std::optional<SnippetSet>& snippets) {
-    Look look = m_options.look;
-    look.srgbTarget = m_surface->srgbTarget();
-    look.effect = effectOf(snippets);
+    const Look look = this->look(snippets);
     Result<std::vector<ProgramUse>> needed = usesOf(subject, look, {});
     if (!needed)
         return needed.error();

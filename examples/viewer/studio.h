@@ -4,6 +4,7 @@
 #include "franken/baked_sky.h"
 #include "franken/generator/snippet_set.h"
 #include "franken/renderer.h"
+#include "measure.h"
 #include "options.h"
 
 #include <memory>
@@ -53,6 +54,13 @@ public:
     /// The picture of what was drawn last, from another camera.
     franken::Result<franken::Image> drawAgain(const Subject& subject);
 
+    /// Times the picture of what was drawn last. Fails with "viewer.measure" where software draws.
+    franken::Result<Measured> measure(const Subject& subject);
+
+    /// That of the options, as the context takes it.
+    franken::Look look(const std::optional<franken::SnippetSet>& snippets) const;
+    franken::DrawTarget target() const;
+
 private:
     Studio(const Options& options, std::unique_ptr<franken::platform::Surface> surface, const franken::Gl& gl,
            const franken::Log& log)
@@ -64,7 +72,6 @@ private:
     franken::Result<franken::WarmUpReport> warmUp(const franken::DrawTarget& target,
                                                   std::span<const franken::ProgramUse> needed,
                                                   std::span<const franken::ProgramUse> listed);
-    franken::DrawTarget target() const;
 
     const Options& m_options;
     std::unique_ptr<franken::platform::Surface> m_surface;
