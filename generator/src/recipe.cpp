@@ -2,8 +2,8 @@
 #include "recipe.h"
 
 #include "recipe_slot.h"
+#include "recipe_walk.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -300,85 +300,24 @@ constexpr std::array kSlots = {
           {"output/write_opaque"}}},
 };
 
-constexpr std::size_t kSlotCount = kSlots.size();
-
-// Where each slot's forms begin among all rows; the last is their number.
-constexpr auto kFirstRow = [] {
-    std::array<std::size_t, kSlotCount + 1> first{};
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot)
-        first[slot + 1] = first[slot] + kSlots[slot].count;
-    return first;
-}();
-
-constexpr auto kRows = [] {
-    std::array<Row, kFirstRow[kSlotCount]> rows{};
-    for (std::size_t slot = 0; slot < kSlotCount; ++slot)
-        for (std::size_t form = 0; form < kSlots[slot].count; ++form)
-            rows[kFirstRow[slot] + form] = {kSlots[slot].stage, kSlots[slot].forms[form].snippet,
-                                            kSlots[slot].each, kSlots[slot].forms[form].uv};
-    return rows;
-}();
-static_assert(kRows.size() <= kMaxRows);
-
-// The slots of the vertex shader stand first.
-constexpr std::size_t kVertexSlots = static_cast<std::size_t>(
-    std::count_if(kSlots.begin(), kSlots.end(), [](const Slot& slot) { return slot.stage == kVertex; }));
-static_assert(kSlots[kVertexSlots - 1].stage == kVertex);
-
-// A form that reads a stream says so to the slots before it, which declare it.
-template<std::size_t Index, std::size_t FormIndex>
-void addForm(P p, Needs& n, Outline& outline) {
-    constexpr Form form = kSlots[Index].forms[FormIndex];
-    constexpr std::size_t row = kFirstRow[Index] + FormIndex;
-    if (form.when(p, n)) {
-        outline.rows[row] = true;
-        if constexpr (form.uv != nullptr) {
-            const bool second = p.*form.uv == UvStream::Uv1;
-            outline.readsUv1[row] = second;
-            (second ? n.uv1 : n.uv0) = true;
-        }
-    } else if constexpr (FormIndex + 1 < kSlots[Index].count) {
-        addForm<Index, FormIndex + 1>(p, n, outline);
-    }
-}
-
-template<std::size_t Index>
-void addSlot(P p, Needs& n, Outline& outline) {
-    constexpr Slot slot = kSlots[Index];
-    if (!slot.when(p, n) || repeats(p, slot.each) == 0)
-        return;
-    if constexpr (slot.each == Each::Sun)
-        outline.suns = p.suns;
-    if constexpr (slot.each == Each::Punctual)
-        outline.punctualLights = p.punctualLights;
-    if constexpr (slot.each == Each::Influence)
-        outline.influences = p.influences;
-    if constexpr (slot.each == Each::Effect)
-        outline.effect = p.effect.slot;
-    addForm<Index, 0>(p, n, outline);
-}
-
-// From the last to the first: what declares a stream stands before what reads it. Spelt out slot by slot: no
-// loop and no calls are left, and canonicalising is mostly this.
-template<std::size_t End, std::size_t... Index>
-void addSlots(P p, Needs& n, Outline& outline, std::index_sequence<Index...>) {
-    (addSlot<End - 1 - Index>(p, n, outline), ...);
-}
+static_assert(kRows<kSlots>.size() <= kMaxRows);
+constexpr std::size_t kVertexCount = kVertexSlots<kSlots>;
+static_assert(kSlots[kVertexCount - 1].stage == kVertex);
 
 void addFragment(P p, Needs& n, Outline& outline) {
-    addSlots<kSlotCount>(p, n, outline, std::make_index_sequence<kSlotCount - kVertexSlots>());
+    addSlots<kSlots, kSlots.size()>(p, n, outline, std::make_index_sequence<kSlots.size() - kVertexCount>());
 }
 void addVertex(P p, Needs& n, Outline& outline) {
-    addSlots<kVertexSlots>(p, n, outline, std::make_index_sequence<kVertexSlots>());
+    addSlots<kSlots, kVertexCount>(p, n, outline, std::make_index_sequence<kVertexCount>());
 }
 
 } // namespace
 
-std::span<const Row> recipe() { return kRows; }
+std::span<const Row> recipe() { return kRows<kSlots>; }
 
 RowRange rowsOf(Stage stage) {
-    constexpr std::size_t kVertexRows = kFirstRow[kVertexSlots];
-    return stage == kVertex ? RowRange{0, kVertexRows} : RowRange{kVertexRows, kRows.size()};
+    constexpr std::size_t kVertexRows = kFirstRow<kSlots>[kVertexCount];
+    return stage == kVertex ? RowRange{0, kVertexRows} : RowRange{kVertexRows, kRows<kSlots>.size()};
 }
 
 Outlines outlines(const Permutation& p) {
