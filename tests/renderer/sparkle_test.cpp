@@ -122,7 +122,7 @@ Shot ballWith(Image normals) {
 }
 
 /// A room with a window.
-void lightByRoom(Shot& shot) {
+Environment room() {
     Environment sky{Environment::Layout::Equirect, 64, 32, {}};
     for (int i = 0; i < 64 * 32; ++i) {
         const int x = i % 64, y = i / 64;
@@ -131,9 +131,7 @@ void lightByRoom(Shot& shot) {
         const bool window = y > 8 && y < 13 && x > 20 && x < 28;
         sky.texels.push_back(window ? glm::vec3(4) : height > 0 ? wall : glm::vec3(0.12f, 0.1f, 0.08f));
     }
-    shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(sky)};
-    shot.lighting.reflection = Reflection::Lookup;
-    shot.reflection = ReflectionMaps{filterReflection(sky), reflectionLookup()};
+    return sky;
 }
 
 double toLight(int code) {
@@ -216,9 +214,13 @@ INSTANTIATE_TEST_SUITE_P(Backends, Sparkle, testing::Values(platform::Backend::O
 
 // kWidening was chosen on noise; the bumps were not looked at for that.
 TEST_P(Sparkle, BumpsReflectARoomFromAfarAsTheyDoFromNear) {
+    const Environment sky = room();
+    const ReflectionMaps reflection{filterReflection(sky), reflectionLookup()};
     for (const auto& [name, normals] : {std::pair("noise", noise(0.3)), std::pair("bumps", bumps(256, 32))}) {
         Shot shot = ballWith(normals);
-        lightByRoom(shot);
+        shot.lighting.ambient = {.kind = Ambient::Sky, .sky = skyCoefficients(sky)};
+        shot.lighting.reflection = Reflection::Lookup;
+        shot.reflection = reflection;
         const Found found = against(shot, name, 1);
         EXPECT_GT(found.before.codes, 15);
         EXPECT_LE(found.now.codes, 5) << m_difference;

@@ -33,6 +33,14 @@ int limitOf(const Gl& gl, GLenum name, int least) {
     return std::max<int>(limit, least);
 }
 
+float mostAnisotropy(const Gl& gl, std::string_view extensions) {
+    constexpr GLenum kMaxTextureMaxAnisotropy = 0x84FF;
+    GLfloat most = 1;
+    if (contains(extensions, "GL_EXT_texture_filter_anisotropic"))
+        gl.GetFloatv(kMaxTextureMaxAnisotropy, &most);
+    return std::max(most, 1.0f);
+}
+
 /// What a vertex shader declares beside its palette: 32 vectors do for all but a few programs with effects or
 /// many lights, which fall down the ladder to vertices that the CPU moves.
 std::optional<Joints> roomiest(int uniformVectors) {
@@ -58,6 +66,7 @@ Capabilities Capabilities::query(const Gl& gl) {
             .anyTextureSize = core || contains(extensions, "GL_OES_texture_npot"),
             .wideIndices = core || contains(extensions, "GL_OES_element_index_uint"),
             .parallelCompile = contains(extensions, "GL_KHR_parallel_shader_compile"),
+            .maxAnisotropy = mostAnisotropy(gl, extensions),
             .compilesForStaleTextures = renderer.starts_with("VC4") || renderer.starts_with("V3D"),
             .precision = measuredPrecision(gl, "highp"),
             .joints = roomiest(limitOf(gl, GL_MAX_VERTEX_UNIFORM_VECTORS, 128))};

@@ -76,6 +76,7 @@ struct Drawable {
 struct GpuScene {
     std::vector<GpuTexture> textures;
     std::map<TextureUse, std::size_t> textureOf; ///< Those that materials use.
+    float anisotropy = 1;                        ///< Of all textures.
     std::vector<GpuMesh> meshes;
     std::vector<GpuMaterial> materials;
     std::vector<GpuPrimitive> primitives; ///< In the order of the scene's meshes.

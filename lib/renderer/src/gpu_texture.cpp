@@ -197,6 +197,12 @@ Result<bool> updateTexture(Device& device, GpuTexture& gpu, const Image& image, 
     return true;
 }
 
+void setAnisotropy(const Gl& gl, const GpuTexture& gpu, float anisotropy) {
+    constexpr GLenum kTextureMaxAnisotropy = 0x84FE;
+    bind(gl, GL_TEXTURE_2D, gpu.texture);
+    gl.TexParameterf(GL_TEXTURE_2D, kTextureMaxAnisotropy, anisotropy);
+}
+
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba) {
     GlTexture name(gl, generate(gl.GenTextures));
     bind(gl, GL_TEXTURE_2D, name, kPlainSampling);

@@ -121,6 +121,9 @@ Result<GpuTexture> uploadTexture(Device& device, const Image& image, const Textu
 /// Replaces the texels of what uploadTexture() returned, where the fitted size is the same; whether it is.
 Result<bool> updateTexture(Device& device, GpuTexture& gpu, const Image& image, const Texture& texture);
 
+/// Of a context that has the extension. Leaves the texture bound to unit 0.
+void setAnisotropy(const Gl& gl, const GpuTexture& gpu, float anisotropy);
+
 /// One texel.
 GlTexture uploadTexel(const Gl& gl, const std::array<std::uint8_t, 4>& rgba);
 

@@ -180,6 +180,7 @@ Result<void> Models::replaceTexture(Model& model, int index, const Image& image)
             return made.error();
         gpu.textures.resize(std::max(gpu.textures.size(), place + 1));
         gpu.textures[place] = *std::move(made);
+        gpu.anisotropy = 1; // The next frame sets that of all.
     }
     for (const std::size_t other : own)
         if (other != place)

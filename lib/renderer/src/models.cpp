@@ -115,6 +115,18 @@ void Models::setShown(std::vector<Model*> models) {
     ++m_revision;
 }
 
+void Models::setAnisotropy(float anisotropy) {
+    for (Model* model : m_shown) {
+        if (model->gpu->anisotropy == anisotropy)
+            continue;
+        for (const GpuTexture& texture : model->gpu->textures)
+            if (texture.texture)
+                franken::setAnisotropy(m_device.gl, texture, anisotropy);
+        model->gpu->anisotropy = anisotropy;
+        m_device.state.invalidate();
+    }
+}
+
 Result<ModelId> Models::add(const Scene& scene, SceneSource source) {
     auto model = std::make_unique<Model>(Model{newHandle<ModelId>(), std::move(source), {}, {}});
     if (Result<void> uploaded = upload(*model, scene); !uploaded)

@@ -104,6 +104,8 @@ public:
     std::optional<std::uint64_t> oldestUse() const override;
     void evictOldest() override;
 
+    /// Filters the textures of what is shown so, where they are filtered otherwise.
+    void setAnisotropy(float anisotropy);
     /// Those that are shown; all of them are on the GPU.
     const std::vector<Model*>& shown() const { return m_shown; }
     /// Another number after each change of what is shown: pointers into the models are only good for one.

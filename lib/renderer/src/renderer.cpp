@@ -201,6 +201,7 @@ Result<void> Renderer::draw(const Viewpoint& viewpoint, const DrawTarget& target
             return checked;
         state.device.frameBegan = ++state.device.clock;
         state.programs.manager.resetBudget();
+        state.models.setAnisotropy(state.anisotropy());
         Result<void> resolved = state.frame.resolvePrograms(&target);
         if (!resolved && resolved.error().code == franken::contextLost().code)
             return resolved;

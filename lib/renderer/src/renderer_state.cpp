@@ -43,6 +43,11 @@ void Renderer::State::setLook(Look look) {
     overlay.forgetProgram();
 }
 
+float Renderer::State::anisotropy() const {
+    const float asked = frame.look().anisotropy;
+    return asked > 1 ? std::min(asked, device.capabilities.maxAnisotropy) : 1; // NaN as well.
+}
+
 std::vector<ProgramUse> Renderer::State::asHere(std::span<const ProgramUse> uses) const {
     std::vector<ProgramUse> own(uses.begin(), uses.end());
     for (ProgramUse& use : own) {

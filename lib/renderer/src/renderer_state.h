@@ -42,6 +42,7 @@ struct [[gnu::visibility("hidden")]] Renderer::State {
 
     /// What the context computes in, and has room for, is not the application's to choose.
     void setLook(Look look);
+    float anisotropy() const; ///< That the look asks for, and the context has.
     /// Manifests may have been written on another machine.
     std::vector<ProgramUse> asHere(std::span<const ProgramUse> uses) const;
     void sayPrecision() const;

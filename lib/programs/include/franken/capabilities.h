@@ -18,6 +18,9 @@ struct Capabilities {
     bool anyTextureSize = false;
     bool wideIndices = false;     ///< 32-bit indices: GL_OES_element_index_uint.
     bool parallelCompile = false; ///< Compilation can be polled: GL_KHR_parallel_shader_compile.
+    /// The most that Look::anisotropy may be: GL_EXT_texture_filter_anisotropic; 1 without it, as on
+    /// VideoCore IV.
+    float maxAnisotropy = 1;
     /// Mesa's vc4 and v3d: an untextured program is recompiled for the textures that are left bound.
     bool compilesForStaleTextures = false;
 

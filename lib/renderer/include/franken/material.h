@@ -41,6 +41,11 @@ struct Look {
     /// The largest palette of joints; none: the CPU moves vertices. A renderer sets it to
     /// Capabilities::joints of its context.
     std::optional<Joints> joints = Joints::UpTo256;
+    /// How many times longer than wide the part of a texture may be that a pixel takes its mean of: surfaces
+    /// that are seen at a slant are sharper then, and a pixel there reads as many times more texels. From 1
+    /// to Capabilities::maxAnisotropy, to which it is limited. For textures of models with mips, from the
+    /// next draw() on.
+    float anisotropy = 1;
 };
 
 /// The optional attributes of a primitive, and other properties of its vertices that choose programs.
