@@ -104,6 +104,36 @@ TEST_F(KioskFolder, FoldersInItAreSeenToo) {
     EXPECT_EQ(folder.models(), (Paths{m_folder / "bottle/bottle.gltf", m_folder / "z.gltf"}));
 }
 
+TEST_F(KioskFolder, ALinkToTheFolderItselfAddsNothingAndTwoLinksToOneFolderAreTwoFolders) {
+    fs::create_directory(m_folder / ".shared");
+    fs::create_directory_symlink(".", m_folder / "itself");
+    fs::create_directory_symlink(".shared", m_folder / "one");
+    fs::create_directory_symlink(".shared", m_folder / "two");
+    kiosk::WatchedFolder folder(m_folder, [](LogLevel, std::string_view) {});
+    EXPECT_FALSE(folder.needsRescans()) << "the folder is watched by its own name";
+    std::ofstream half(m_folder / ".shared/a.glb");
+    folder.dispatch();
+    EXPECT_TRUE(folder.models().empty()) << "it is being written, by any name";
+    half.close();
+    write("b.glb");
+    EXPECT_EQ(folder.dispatch(), (Paths{m_folder / "one/a.glb", m_folder / "two/a.glb", m_folder / "b.glb"}));
+    EXPECT_EQ(folder.models(), (Paths{m_folder / "b.glb", m_folder / "one/a.glb", m_folder / "two/a.glb"}));
+}
+
+TEST_F(KioskFolder, AFolderThatIsMovedForthAndBackHidesNothing) {
+    fs::create_directory(m_folder / "bottle");
+    kiosk::WatchedFolder folder(m_folder, [](LogLevel, std::string_view) {});
+    std::ofstream half(m_folder / "bottle/a.glb");
+    folder.dispatch();
+    EXPECT_TRUE(folder.models().empty());
+    fs::rename(m_folder / "bottle", m_folder / "other");
+    folder.dispatch();
+    half.close();
+    fs::rename(m_folder / "other", m_folder / "bottle");
+    folder.dispatch();
+    EXPECT_EQ(folder.models(), (Paths{m_folder / "bottle/a.glb"}));
+}
+
 TEST_F(KioskFolder, AFolderMayComeAndGo) {
     const fs::path late = m_folder / "late";
     kiosk::WatchedFolder folder(late, [](LogLevel, std::string_view) {});

@@ -5,7 +5,8 @@
 #   -r          in real time. Without it the guest's clock moves only when the guest is idle: waiting takes no time, and each
 #               run sees the same times whatever the machine's load.
 #   -t SECONDS  ends it after so much real time (570: just before CTest does)
-#   -m MODE     the screen's mode, as the kernel's video= has it (160x120@60)
+#   -m MODE     the screen's mode, as the kernel's video= has it (160x120@60, the smallest: in place of a smaller one, the
+#               kernel's list has 1024x768, which has 41 times as many pixels, and takes softpipe minutes)
 # Exits with 77 where there can be no guest, and says why; with 125 where the guest died. The folder of the host that the
 # guest may write is in GUEST_FOLDER of the command's environment; what is left in it goes to $GUEST_KEEP, if that is set.
 set -euo pipefail

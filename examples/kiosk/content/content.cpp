@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/content/content.h"
 
+#include "franken/printable.h"
+
 #include <algorithm>
 
 namespace kiosk {
@@ -128,7 +130,7 @@ std::optional<LoadedModel> Content::take() {
 }
 
 void Content::refuse(const fs::path& model, const franken::Error& error) {
-    m_log(LogLevel::Error, model.string() + " is skipped: " + franken::toString(error));
+    m_log(LogLevel::Error, franken::printable(model.string()) + " is skipped: " + franken::printable(error));
     m_playlist.markBroken(model, franken::toString(error));
     want(m_shown, m_direction);
 }

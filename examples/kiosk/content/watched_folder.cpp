@@ -54,8 +54,11 @@ WatchedFolder::WatchedFolder(fs::path folder, franken::Log log)
 
 void WatchedFolder::watch(const fs::path& folder) {
     const franken::Result<int> watched = m_inotify.watch(folder, kEvents);
-    if (watched)
-        m_folders[*watched] = folder;
+    if (watched) {
+        const auto [first, last] = m_folders.equal_range(*watched);
+        if (std::none_of(first, last, [&folder](const auto& entry) { return entry.second == folder; }))
+            m_folders.emplace(*watched, folder);
+    }
     if (watched || watched.error().code == "kiosk.missing")
         m_unwatched.erase(folder);
     else if (m_unwatched.insert(folder).second)
@@ -68,9 +71,18 @@ void WatchedFolder::rescan() {
         return !fs::exists(folder, error);
     });
     watch(m_folder);
-    for (const fs::directory_entry& entry : entriesOf(m_folder))
-        if (isFolder(entry))
-            watch(entry.path());
+    for (const fs::directory_entry& entry : foldersIn())
+        watch(entry.path());
+}
+
+/// But for a link to the folder itself, in which all models would be once more.
+std::vector<fs::directory_entry> WatchedFolder::foldersIn() const {
+    std::vector<fs::directory_entry> folders = entriesOf(m_folder);
+    std::erase_if(folders, [this](const fs::directory_entry& entry) {
+        std::error_code error;
+        return !isFolder(entry) || fs::equivalent(entry.path(), m_folder, error);
+    });
+    return folders;
 }
 
 bool WatchedFolder::present() const {
@@ -81,26 +93,39 @@ bool WatchedFolder::present() const {
 bool WatchedFolder::handle(const inotify_event& event, std::vector<fs::path>& changed) {
     if ((event.mask & IN_Q_OVERFLOW) != 0)
         return true;
-    const auto folder = m_folders.find(event.wd);
-    if (folder == m_folders.end())
+    const auto [first, last] = m_folders.equal_range(event.wd);
+    if (first == last)
         return false;
     if ((event.mask & (kGone | IN_IGNORED)) != 0) {
-        m_inotify.unwatch(event.wd);
-        m_folders.erase(folder);
+        forget(event.wd);
         return true;
     }
     if ((event.mask & IN_ISDIR) != 0)
         return true;
-    const fs::path path = event.len == 0 ? folder->second : folder->second / event.name;
+    for (auto folder = first; folder != last; ++folder)
+        note(event.len == 0 ? folder->second : folder->second / event.name, event.mask, changed);
+    return false;
+}
+
+/// What was being written there may be complete when it is seen again.
+void WatchedFolder::forget(int watch) {
+    const auto [first, last] = m_folders.equal_range(watch);
+    for (auto folder = first; folder != last; ++folder)
+        std::erase_if(m_beingWritten,
+                      [&](const fs::path& file) { return file.parent_path() == folder->second; });
+    m_inotify.unwatch(watch);
+    m_folders.erase(first, last);
+}
+
+void WatchedFolder::note(const fs::path& path, std::uint32_t events, std::vector<fs::path>& changed) {
     if (isHidden(path))
-        return false;
-    if ((event.mask & IN_CREATE) != 0 && !isLink(path)) {
+        return;
+    if ((events & IN_CREATE) != 0 && !isLink(path)) {
         m_beingWritten.insert(path);
-        return false;
+        return;
     }
     m_beingWritten.erase(path);
     changed.push_back(path);
-    return false;
 }
 
 std::vector<fs::path> WatchedFolder::dispatch() {
@@ -121,12 +146,11 @@ std::vector<fs::path> WatchedFolder::models() const {
         if (isModel(entry.path()) && entry.is_regular_file(error) && !m_beingWritten.contains(entry.path()))
             models.push_back(entry.path());
     };
-    for (const fs::directory_entry& entry : entriesOf(m_folder)) {
+    for (const fs::directory_entry& entry : entriesOf(m_folder))
         add(entry);
-        if (isFolder(entry))
-            for (const fs::directory_entry& inner : entriesOf(entry.path()))
-                add(inner);
-    }
+    for (const fs::directory_entry& folder : foldersIn())
+        for (const fs::directory_entry& entry : entriesOf(folder.path()))
+            add(entry);
     std::sort(models.begin(), models.end());
     return models;
 }

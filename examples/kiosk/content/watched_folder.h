@@ -37,11 +37,16 @@ private:
     void watch(const std::filesystem::path& folder);
     /// Whether the folders have to be looked at again.
     bool handle(const inotify_event& event, std::vector<std::filesystem::path>& changed);
+    void note(const std::filesystem::path& path, std::uint32_t events,
+              std::vector<std::filesystem::path>& changed);
+    void forget(int watch);
+    std::vector<std::filesystem::directory_entry> foldersIn() const;
 
     std::filesystem::path m_folder;
     franken::Log m_log;
     Inotify m_inotify;
-    std::map<int, std::filesystem::path> m_folders; ///< By watch descriptor.
+    /// By watch descriptor: a folder that has several names, by links to it, has one.
+    std::multimap<int, std::filesystem::path> m_folders;
     std::set<std::filesystem::path> m_beingWritten;
     std::set<std::filesystem::path> m_unwatched; ///< Folders that cannot be watched: each is reported once.
 };

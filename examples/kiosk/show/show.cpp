@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "kiosk/show/show.h"
 
+#include "franken/printable.h"
 #include "kiosk/screen.h"
 
 #include <algorithm>
@@ -180,7 +181,7 @@ void Show::change(Time now) {
     }
     if (const Result<void> changed = m_stage->change(); !changed)
         m_log(LogLevel::Error, franken::toString(changed.error()));
-    m_log(LogLevel::Info, "shows " + m_stage->shown()->path.string());
+    m_log(LogLevel::Info, "shows " + franken::printable(m_stage->shown()->path.string()));
     ++m_modelsShown;
     m_before = m_stage->shown()->path;
     m_stage->shown()->view.setPaused(m_paused);
