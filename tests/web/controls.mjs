@@ -8,9 +8,14 @@ import { freshPage, go, pixelsOf, sharedPage, stateOf, textOf, withoutMultisampl
 let page;
 before(async () => { page = await sharedPage(); });
 
-test("each option of each choice is in the name, or dropped or refused in words, and the controls show it", async () => {
+test("each option of each choice is in the name, or dropped or refused in words, and the controls show it", async (t) => {
   await go(page, "#basecolor.metalrough.normal.mask+sh+sun2+punctual1");
-  const choices = await page.evaluate(() => playground.described.choices);
+  const choices = await page.evaluate(() => { // Without pictures, which take most of the time, and have their own tests.
+    playground.kept = playground.picture;
+    playground.picture = null;
+    return playground.described.choices;
+  });
+  t.after(() => page.evaluate(() => { playground.picture = playground.kept; }));
   const counts = { taken: 0, dropped: 0, refused: 0 };
   for (const [choice, { name, options }] of choices.entries())
     for (const [option, { word }] of options.entries()) {
