@@ -127,7 +127,8 @@ Result<QpuCompiler> QpuCompiler::open() {
     if (access(program.c_str(), X_OK) != 0)
         return Error{
             "cost.toolchain", program.string(), "the compilers of the Raspberry Pi's GPUs are not here",
-            "run tests/qpu/toolchain.sh of FrankenShader's sources, or name their folder in FRANKEN_QPU"};
+            "run toolchain.sh, in tests/qpu of FrankenShader's sources or share/frankenshader/qpu of an "
+            "installation, or name their folder in FRANKEN_QPU"};
     return QpuCompiler(program);
 }
 

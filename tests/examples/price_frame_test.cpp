@@ -7,6 +7,8 @@
 #include "support/shapes.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 namespace price {
 namespace {
@@ -88,6 +90,45 @@ TEST(PriceFrame, BehindAMaskV3dShadesWhatVc4DoesNot) {
     EXPECT_EQ(pixelsOf(shadedOf(*counts, EarlyDepth::UntilDiscard)), 2 * kSize * kSize) << "and the mask";
 }
 
+// As many texels as pixels; four times as many, of which the next level has as many as pixels, and the one
+// after it a quarter; that texture at half its size.
+TEST(PriceFrame, TexelsAreThoseUnderThePixels) {
+    for (const auto& [size, texels, halved] :
+         {std::array{64.0, 1.0, 0.25}, {128.0, 1.25, 1.0}, {32.0, 0.25, 0.0625}}) {
+        SceneBuilder builder;
+        Material material = dim(AlphaMode::Opaque);
+        material.textures[TextureRole::BaseColor].texture =
+            builder.addTexture(paint(static_cast<int>(size), [](glm::vec2) { return glm::vec4(1); }));
+        addLayer(builder, builder.addMaterial(material), 0);
+        const Shot shot = shotOf(builder);
+        const Result<FrameCounts> counts = countFrame(contentsOf(shot));
+        ASSERT_TRUE(counts);
+        EXPECT_DOUBLE_EQ(counts->draws[0].texels.whole, 4 * kSize * kSize * texels) << size;
+        EXPECT_DOUBLE_EQ(counts->draws[0].texels.halved, 4 * kSize * kSize * halved) << size;
+        EXPECT_EQ(counts->draws[0].lookups, 2) << "two levels are mixed";
+    }
+}
+
+TEST(PriceFrame, BlendedSurfacesComeLastAndHideNothing) {
+    SceneBuilder builder;
+    Material glass = dim(AlphaMode::Blend);
+    glass.doubleSided = true;
+    const int blended = builder.addMaterial(glass), solid = builder.addMaterial(dim(AlphaMode::Opaque));
+    addLayer(builder, blended, 0);
+    addLayer(builder, blended, 1);
+    addLayer(builder, solid, 2);
+    const Shot shot = shotOf(builder);
+    FrameContents contents = contentsOf(shot);
+    contents.skyboxSize = 16;
+    const Result<FrameCounts> counts = countFrame(contents);
+    ASSERT_TRUE(counts);
+    ASSERT_EQ(counts->draws.size(), 6u) << "the solid one, the sky, and both sides of each";
+    EXPECT_TRUE(counts->draws[1].isSkybox);
+    EXPECT_EQ(counts->draws[1].shaded.pixels, 0u) << "it is hidden";
+    EXPECT_EQ(pixelsOf(shadedOf(*counts, EarlyDepth::Always)), 3 * kSize * kSize)
+        << "back faces of squares that are seen from the front have no pixels";
+}
+
 class PriceFrameDrawn : public PictureTest {};
 INSTANTIATE_TEST_SUITE_P(Backends, PriceFrameDrawn, allBackends(), backendName);
 
@@ -113,6 +154,8 @@ TEST_P(PriceFrameDrawn, AsManyPixelsAreCountedAsTheRendererHasShaded) {
     const int material = builder.addMaterial(dim(AlphaMode::Opaque));
     for (int i = 0; i < 9; ++i) {
         glm::mat4 world(0.4f + 0.05f * static_cast<float>(i));
+        if (i % 2 == 1)
+            world[0] = -world[0];
         world[3] = glm::vec4(-1 + 0.25f * static_cast<float>(i), 0.3f * static_cast<float>(i % 3) - 0.3f,
                              -0.4f * static_cast<float>(i * 5 % 9), 1);
         builder.add(sphere(12), material, world);
