@@ -41,7 +41,7 @@ protected:
     Findings examine() const {
         Findings all;
         for (const auto part :
-             {examineMachine, examineSystem, examinePermissions, examineDevices, examineFiles})
+             {examineMachine, examineSystem, examinePermissions, examineRange, examineDevices, examineFiles})
             for (Finding& finding : part(patient()))
                 all.push_back(std::move(finding));
         return all;
@@ -134,6 +134,35 @@ TEST_F(KioskDoctor, EachTroubleIsNamedWithWhatMendsIt) {
         m_root = copy;
         m_config = config;
     }
+}
+
+TEST_F(KioskDoctor, ModelsGetHalfOfTheContiguousMemory) {
+    EXPECT_EQ(memoryBudget(0, patient().machine), std::size_t{128} << 20) << "of 256 MiB";
+    EXPECT_EQ(memoryBudget(48, patient().machine), std::size_t{48} << 20) << "as configured";
+    write("/proc/meminfo", "MemTotal: 3884324 kB\n");
+    EXPECT_EQ(memoryBudget(0, patient().machine), std::size_t{512} << 20) << "where there is none";
+}
+
+TEST_F(KioskDoctor, AMonitorOnHdmiWantsAllCodes) {
+    const auto plug = [this](bool sound) { // A block of VESA's, and one of CTA-861's.
+        std::string edid(256, '\0');
+        edid[128] = 2;
+        edid[131] = sound ? 0x40 : 0;
+        write("/sys/class/drm/card1-HDMI-A-1/status", "connected\n");
+        write("/sys/class/drm/card1-HDMI-A-1/edid", edid);
+    };
+    plug(false);
+    EXPECT_TRUE(bad().empty()) << toText(bad());
+    EXPECT_NE(toText(examine()).find("HDMI-A-1 takes no sound, and gets all codes"), std::string::npos);
+    for (const char* range : {"limited", "automatic"}) {
+        m_config.screen.range = range;
+        EXPECT_NE(toText(bad()).find("set screen.range = \"full\""), std::string::npos) << range;
+    }
+    plug(true);
+    EXPECT_TRUE(bad().empty()) << toText(bad());
+    EXPECT_NE(toText(examine()).find("HDMI-A-1 takes sound"), std::string::npos);
+    write("/sys/class/drm/card1-HDMI-A-1/edid", "cut off");
+    EXPECT_EQ(toText(examine()).find("HDMI-A-1"), std::string::npos);
 }
 
 TEST_F(KioskDoctor, NoScreenIsNamed) {

@@ -230,12 +230,23 @@ TEST_F(KioskLife, ButtonsAndKeysDoWhatTheConfigurationSays) {
     ASSERT_TRUE(logs("b.glb"));
 }
 
-TEST_F(KioskLife, FingersTurnZoomAndSwipe) {
+TEST_F(KioskLife, KeysChangeThePictureAndBackAndFingersTurnZoomAndSwipe) {
     const UinputDevice screen(UinputDevice::Kind::TouchScreen, "kiosk touch");
-    start(kStill);
+    const UinputDevice keys(UinputDevice::Kind::Keyboard, "kiosk keys");
+    start(kStill + "pixel-shift = 0\n");
     ASSERT_TRUE(logs("a.glb"));
     std::this_thread::sleep_for(2s);
     const VmPicture still = picture("kiosk_touch_still");
+    const auto pressed = [&](int key) {
+        keys.key(key, true);
+        keys.key(key, false);
+        EXPECT_TRUE(logs("asked for: "));
+        return picture("kiosk_key_" + std::to_string(key));
+    };
+    for (const auto& [there, back] : {std::pair{KEY_L, KEY_L}, {KEY_UP, KEY_DOWN}, {KEY_N, KEY_N}}) {
+        EXPECT_FALSE(pressed(there) == still) << "lights, exposure or caption: " << there;
+        EXPECT_TRUE(pressed(back) == still) << back;
+    }
     screen.touch(0, 300, 500, true);
     for (int x = 320; x <= 600; x += 20) {
         std::this_thread::sleep_for(20ms);

@@ -21,7 +21,7 @@ constexpr const char* kReported[] = {"/proc/cmdline",
 Findings examineAll(const Patient& patient) {
     Findings all;
     for (const auto examine : {examineMachine, examineSystem, examinePermissions, examineScreens,
-                               examineRenderer, examineDevices, examineFiles}) {
+                               examineRange, examineRenderer, examineDevices, examineFiles}) {
         const Findings found = examine(patient);
         all.insert(all.end(), found.begin(), found.end());
     }

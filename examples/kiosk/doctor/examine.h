@@ -23,6 +23,7 @@ Findings examineMachine(const Patient& patient);     ///< Model, memory, heat, t
 Findings examineSystem(const Patient& patient);      ///< Clock, console, watchdog, services.
 Findings examinePermissions(const Patient& patient); ///< Nodes and groups.
 Findings examineScreens(const Patient& patient);     ///< Nodes, connectors, modes, who is master.
+Findings examineRange(const Patient& patient);       ///< Range of codes, for what is plugged into HDMI.
 Findings examineRenderer(const Patient& patient);    ///< The driver and its limits; opens a context.
 Findings examineDevices(const Patient& patient);     ///< GPIO chips and inputs.
 Findings examineFiles(const Patient& patient);       ///< The configuration's folders and files.
