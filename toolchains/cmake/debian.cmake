@@ -64,7 +64,9 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 franken_debian(tools frankenshader graphics "${library_package} (= ${version})"
     "Single-pass GLSL ES programs for Raspberry Pi GPUs: programs\n${about}\n.\nThis package holds the programs that write, explain, check and price\nshaders, draw models to pictures, and filter skies.")
 set(CPACK_DEBIAN_TOOLS_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libosmesa6, libegl-mesa0")
-set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "glslang-tools, g++")
+# What follows g++ is for the Pi's compilers, which toolchain.sh builds: `frankenshader cost`, `viewer --price`.
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS
+    "glslang-tools, g++, libegl-dev, libgles-dev, libgbm-dev, dpkg-dev, pkg-config, ninja-build, bison, flex, libdrm-dev, libexpat1-dev, zlib1g-dev, libelf-dev, python3-venv, xz-utils, patch")
 franken_debian(kiosk frankenshader-kiosk graphics "${library_package} (= ${version})"
     "Single-pass GLSL ES programs for Raspberry Pi GPUs: kiosk\n${about}\n.\nThis package holds a program that shows models on a screen\nwithout a window system, for months.")
 set(CPACK_DEBIAN_KIOSK_PACKAGE_RECOMMENDS "libgl1-mesa-dri, libegl-mesa0, fonts-dejavu-core")
