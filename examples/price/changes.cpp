@@ -53,7 +53,7 @@ void addFewerLights(const Terms& terms, Offers& offers) {
 std::vector<Offer> offersFor(const Terms& terms) {
     Offers offers(terms);
     offers.add("--light-vectors vertex", &Look::lightVectors, LightVectors::PerVertex);
-    offers.add("--tone-map none", &Look::toneMap, ToneMap::None);
+    offers.add("--tone-map clip", &Look::toneMap, ToneMap::None);
     if (terms.look.toneMap == ToneMap::Aces || terms.look.toneMap == ToneMap::Neutral)
         offers.add("--tone-map reinhard", &Look::toneMap, ToneMap::Reinhard);
     offers.add("--decode fast", &Look::decode, Decode::Fast);
@@ -62,7 +62,7 @@ std::vector<Offer> offersFor(const Terms& terms) {
     offers.add("--brdf fast", &Look::brdf, Brdf::Fast);
     offers.add("--brdf schlick", &Look::brdf, Brdf::Schlick);
     offers.add("no --energy", &Look::energy, false);
-    offers.add("--dither none", &Look::dither, Dither::None);
+    offers.add("--dither no-dither", &Look::dither, Dither::None);
     addFewerLights(terms, offers);
     Terms halved = terms;
     halved.halvedTextures = true;

@@ -259,7 +259,7 @@ TEST(PriceChanges, AreOfferedWhereThereIsSomethingToChange) {
         return std::any_of(offers.begin(), offers.end(),
                            [&](const Offer& offer) { return offer.words == words; });
     };
-    EXPECT_TRUE(has("--tone-map none"));
+    EXPECT_TRUE(has("--tone-map clip"));
     EXPECT_TRUE(has("--tone-map reinhard"));
     EXPECT_TRUE(has("--light-vectors vertex"));
     EXPECT_TRUE(has("one sun less"));

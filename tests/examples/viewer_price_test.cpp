@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the viewer says of a picture's price.
+#include "price/changes.h"
 #include "viewer_run.h"
 
 namespace franken::test {
@@ -21,7 +22,7 @@ TEST_F(ViewerPrice, IsToldForEachMachineBesideThePicture) {
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(std::filesystem::exists(m_folder / "out.png"));
     for (const char* part : {"96x64 on a Pi 3: ", "Pi 0, Pi Zero 2", "Pi 1, Pi 2", "\nPi 4 ", "\nPi 5 ",
-                             "bound by", "(~), because", "these would bring most", "--tone-map none"})
+                             "bound by", "(~), because", "these would bring most", "--tone-map clip"})
         EXPECT_NE(outcome.out.find(part), std::string::npos) << part << '\n' << outcome.out;
 
     const Outcome json = run(command + " --json");
@@ -32,6 +33,22 @@ TEST_F(ViewerPrice, IsToldForEachMachineBesideThePicture) {
     EXPECT_EQ(countOf(json.out, "\"change\""), 3u) << json.out;
     EXPECT_EQ(countOf(json.out, "\"name\": \"vertexcolor+sun2+aces\""), 5u)
         << "a program of the urn, on each";
+}
+
+// What is advised can be typed: the option is taken, and only the model is not there.
+TEST_F(ViewerPrice, AdvisesOptionsThatItTakes) {
+    price::Terms terms;
+    terms.look.toneMap = ToneMap::Neutral;
+    terms.look.dither = Dither::Ordered;
+    int options = 0;
+    for (const price::Offer& offer : price::offersFor(terms)) {
+        if (!offer.words.starts_with("--"))
+            continue;
+        ++options;
+        const Outcome outcome = run("missing.glb " + offer.words);
+        EXPECT_EQ(outcome.code, 3) << offer.words << '\n' << outcome.err;
+    }
+    EXPECT_EQ(options, 8);
 }
 
 TEST_F(ViewerPrice, NothingIsMeasuredWhereSoftwareDraws) {
