@@ -87,8 +87,10 @@ test("pictures are OSMesa's", async () => {
   await page.evaluate(() => { playground.sky.cube = playground.keptCube; });
 });
 
-test("a lost context comes back with the same picture", async () => {
-  await go(page, "#basecolor.normal+ambient+sun1");
+test("a lost context comes back with the same picture: programs, a model with its textures, a sky", async () => {
+  await go(page, "#sh+reflection+sun1;shape=model");
+  await skyIsThere(page);
+  await page.waitForFunction(() => playground.scene()?.materials.length > 1);
   const before = await pixelsOf(page);
   await page.evaluate(async () => {
     const lose = playground.picture.driver.gl.getExtension("WEBGL_lose_context");
