@@ -42,7 +42,7 @@ int numberOf(std::string text) {
 
 /// Programs that are too different for the price list to bridge.
 bool isOfAKind(const Permutation& a, const Permutation& b) {
-    return a.program == b.program && a.shading == b.shading && a.view == b.view;
+    return a.program == b.program && a.shading == b.shading && a.view == b.view && a.precision == b.precision;
 }
 
 using Features = std::map<std::string, int>;
