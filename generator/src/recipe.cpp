@@ -124,9 +124,11 @@ constexpr std::array kSlots = {
     Slot{kFragment,
          [](P p, N n) { return n.textured && n.roughness && n.shaded && p.precision == Precision::Fp16; },
          {{"metallic_roughness/floor.fp16"}}},
-    // A packed occlusion waits where the sky is reflected: see below.
+    // A packed occlusion waits where the sky is reflected, or two suns come first: see below.
     Slot{kFragment,
-         [](P p, N n) { return n.occlusion && !(packedOcclusion(p, n) && n.reflection); },
+         [](P p, N n) {
+             return n.occlusion && !(packedOcclusion(p, n) && n.reflection) && !twoSunsOverTextures(p, n);
+         },
          {{"occlusion/packed", packedOcclusion}, {"occlusion/texture", always, &Permutation::occlusionUv}}},
 
     Slot{kFragment, kReflected, {{"reflection/irradiance"}}},
@@ -157,6 +159,7 @@ constexpr std::array kSlots = {
          kDirect,
          {{"surface/factors.seed", [](P p, N n) { return !n.textured && p.brdf == Brdf::Seed; }},
           {"surface/factors", [](P, N n) { return !n.textured; }},
+          {"surface/textures.smith_correlated.vc4", twoSunsOverTextures},
           {"surface/textures.smith_correlated", is<&Permutation::brdf, Brdf::Gltf>},
           {"surface/textures.seed", kSeed},
           {"surface/textures.hammon", is<&Permutation::brdf, Brdf::Fast>},
@@ -171,15 +174,20 @@ constexpr std::array kSlots = {
     Slot{kFragment,
          [](P, N n) { return n.skyLit && !n.reflection; },
          {{"ambient/diffuse_share", kTextured}, {"ambient/diffuse_share.factors"}}},
-    Slot{
-        kFragment, [](P, N n) { return n.ambient && n.occlusion && !n.reflection; }, {{"occlusion/occlude"}}},
+    Slot{kFragment,
+         [](P p, N n) { return n.ambient && n.occlusion && !n.reflection && !twoSunsOverTextures(p, n); },
+         {{"occlusion/occlude"}}},
     Slot{kFragment, kDirect, {{"brdf/sum.tinted", tintsAtOnce}, {"brdf/sum"}}},
     Slot{kFragment,
          [](P, N n) { return n.direct && !n.reflection; },
          {{"ambient/sum.energy", [](P, N n) { return n.ambient && n.energy; }},
           {"ambient/none.energy", kEnergy},
+          {"ambient/none", twoSunsOverTextures},
           {"ambient/sum", needs<&Needs::ambient>},
           {"ambient/none"}}},
+    Slot{kFragment,
+         twoSunsOverTextures,
+         {{"emissive/texture.approximate_srgb.early", always, &Permutation::emissiveUv}}},
     Slot{kFragment, kTangent, {{"inputs/sun_tangent_space"}}, Each::Sun},
     Slot{kFragment,
          [](P, N n) { return n.direct || n.reflection; },
@@ -192,7 +200,8 @@ constexpr std::array kSlots = {
           {"view/view"}}},
     Slot{kFragment,
          kDirect,
-         {{"lights/light.unnormalised.vc4", fewOnVc4},
+         {{"lights/light.unnormalised.textures.vc4", twoSunsOverTextures},
+          {"lights/light.unnormalised.vc4", fewOnVc4},
           {"lights/light.unnormalised", kFew},
           {"lights/light.tangent_space", kTangent},
           {"lights/light.vertex", lights<LightForm::VertexWorld>},
@@ -250,6 +259,9 @@ constexpr std::array kSlots = {
           {"lights/punctual"}},
          Each::Punctual},
 
+    Slot{kFragment, twoSunsOverTextures, {{"occlusion/packed"}}},
+    Slot{kFragment, twoSunsOverTextures, {{"ambient/add_occluded"}}},
+
     // What is shown. A sky's reflection without lights is shown already.
     Slot{kFragment,
          [](P, N n) { return n.direct || !n.reflection; },
@@ -267,7 +279,7 @@ constexpr std::array kSlots = {
           {"shading/black", [](P p, N n) { return n.material && n.shaded && p.shading == Shading::Lit; }},
           {"shading/unlit"}}},
     Slot{kFragment,
-         needs<&Needs::emissive>,
+         [](P p, N n) { return n.emissive && !twoSunsOverTextures(p, n); },
          {{"emissive/factor", is<&Permutation::emissive, Emissive::Factor>},
           {"emissive/texture.linear", [](P, N n) { return !n.decode; }, &Permutation::emissiveUv},
           {"emissive/texture.approximate_srgb", is<&Permutation::decode, Decode::Fast>,

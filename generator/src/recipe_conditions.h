@@ -85,6 +85,14 @@ inline bool lobeByLogarithms(P p, N n) {
     const bool shorter = n.lightForm == LightForm::VertexTangent || mirrored || two;
     return onVc4(p) && p.brdf == Brdf::Gltf && shorter;
 }
+// Two suns over a normal map and the textures of all else: an order that was searched for these alone
+// (tests/qpu/README.md, Goals).
+inline bool twoSunsOverTextures(P p, N n) {
+    const bool all = n.textured && n.emissive && p.emissive == Emissive::Texture && packedOcclusion(p, n);
+    const bool fast = cubic(p, n) && p.output != Output::Srgb; // The exact curves' are dearer so.
+    return all && fast && n.ambient && !n.energy && !n.reflection && n.lightForm == LightForm::PixelFew &&
+           lobeByLogarithms(p, n);
+}
 // Only 16 bits have a lobe of their own for a product.
 inline bool separateLobe(P p, N n) {
     return n.direct && (p.brdf == Brdf::Gltf || p.brdf == Brdf::Fast || p.precision == Precision::Fp16);

@@ -377,5 +377,32 @@ TEST_P(SurfaceNumbers, TheFacingWorkaroundIsAnotherProgram) {
     EXPECT_NE(toName(after->at(0).permutation).find("workaround-facing"), std::string::npos);
 }
 
+// The program of two suns over all textures has an order of its own on vc4.
+TEST_P(SurfaceNumbers, TwoSunsOverAllTexturesLookTheSameInAllForms) {
+    SceneBuilder builder;
+    Material material = tiledMaterial(builder);
+    material.textures[TextureRole::Occlusion] = material.textures[TextureRole::MetallicRoughness];
+    material.textures[TextureRole::Emissive].texture =
+        builder.addTexture(checkers(8, 2, {0.1f, 0.2f, 0.6f, 1}, {0, 0, 0, 1}));
+    material.factors.emissive = {1, 0.8f, 0.6f};
+    material.factors.occlusionStrength = 0.7f;
+    builder.add(sphere(32), builder.addMaterial(material));
+    Shot shot = filledBy(builder);
+    shot.lighting.suns = {{.direction = {-1, -1, -1}, .illuminance = 2},
+                          {.direction = {1, 0, -1}, .illuminance = 1}};
+    shot.lighting.ambient = {.kind = Ambient::Color, .color = {0.3f, 0.2f, 0.1f}};
+    shot.look.decode = Decode::Fast;
+    shot.look.output = Output::SrgbFast;
+    shot.look.target = Target::Vc4;
+    const auto uses = usesOf(shot.scene, shot.lighting, shot.look);
+    ASSERT_TRUE(uses);
+    EXPECT_NE(toName(uses->at(0).permutation).find("occlusion-packed.emissive"), std::string::npos);
+    const Difference difference = compareLit(draw(shot), draw(withForms(shot, Target::Generic)));
+    std::cout << "two suns over all textures: " << difference << "\n";
+    EXPECT_GT(difference.pixels, 2000u);
+    EXPECT_LE(difference.mean, 0.01);
+    EXPECT_LE(difference.max(), 1);
+}
+
 } // namespace
 } // namespace franken::test

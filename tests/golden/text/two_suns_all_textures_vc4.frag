@@ -32,8 +32,8 @@ uniform vec3 uSun1Direction; // lights: towards the sun, unit, world space
 uniform vec3 uSun1Radiance; // lights: linear irradiance / pi
 uniform vec3 uBaseColorCubic[3]; // material: coefficients of c^3, c^2 and c, times the factor
 uniform vec2 uMetallicRoughness; // material: factors, 0-1
-uniform vec2 uOcclusion; // material: strength, 1 - strength
 uniform vec3 uEmissiveCubic[3]; // material: coefficients of c^3, c^2 and c, times the radiance of white
+uniform vec2 uOcclusion; // material: strength, 1 - strength
 
 uniform sampler2D uBaseColorTexture; // material: RGB, sRGB unless decode-none, alpha
 uniform sampler2D uNormalTexture; // material: tangent space, +Y up the texture, linear
@@ -103,7 +103,7 @@ float specularLobe(Angles angles, float nDotV, Surface surface) {
 // metallic, roughness: 0-1. The roughness is kept off 0, where a sun's highlight has no size.
 Surface surfaceOf(float metallic, float roughness) {
   float r = max(roughness, 0.001);
-  float alpha2 = (r * (r * r)) * r;
+  float alpha2 = (r * r) * (r * r);
   Surface surface;
   surface.diffuse = 0.96 - 0.96 * metallic;
   surface.metal = metallic;
@@ -150,7 +150,8 @@ Angles anglesOf(Light light, View view) {
   // |V + L|^2 = |V|^2 + 1 + 2 V.L, and N.(V + L) = N.V + N.L: H' = V + L is never built.
   float facingLight = max(dot(view.normal, light.direction), 0.0);
   float nDotH = facingLight + view.facing;
-  float h2 = (dot(view.toCamera, light.direction) * view.inverseV) * 2.0 + view.v2;
+  float vDotL = dot(view.toCamera, light.direction) * view.inverseV;
+  float h2 = (vDotL + view.v2) + vDotL;
   float nDotL = facingLight * view.inverseN;
   return Angles(nDotL, nDotL, nDotH * nDotH, view.n2 * h2, fresnel(squareRoot(0.25 * h2)));
 }
@@ -181,27 +182,26 @@ void main() {
   float metallic = orm.b * uMetallicRoughness.x;
   float roughness = orm.g * uMetallicRoughness.y;
 
-  float occlusion = orm.r * uOcclusion.x + uOcclusion.y;
-
   Surface surface = surfaceOf(metallic, roughness);
 
   vec3 irradiance = uAmbient;
-
-  irradiance *= occlusion;
-
   Sum sum;
-  sum.diffuse = irradiance;
+  sum.diffuse = vec3(0.0);
   sum.specular = vec3(0.0);
+
+  vec3 glow = texture2D(uEmissiveTexture, vUv0).rgb;
+  sum.specular += glow * (glow * (glow * uEmissiveCubic[0] + uEmissiveCubic[1]) + uEmissiveCubic[2]);
 
   View view = viewOf(normal, vToCamera);
 
   addLight(Light(uSun0Direction, uSun0Radiance), view, surface, sum);
   addLight(Light(uSun1Direction, uSun1Radiance), view, surface, sum);
 
-  vec3 color = base.rgb * sum.diffuse + sum.specular;
+  float occlusion = orm.r * uOcclusion.x + uOcclusion.y;
 
-  vec3 glow = texture2D(uEmissiveTexture, vUv0).rgb;
-  color += glow * (glow * (glow * uEmissiveCubic[0] + uEmissiveCubic[1]) + uEmissiveCubic[2]);
+  sum.diffuse += irradiance * occlusion;
+
+  vec3 color = base.rgb * sum.diffuse + sum.specular;
 
   color = linearToDisplay(color);
   gl_FragColor = vec4(color, 1.0);
