@@ -115,7 +115,6 @@ void DrawCounter::add(const Instance& instance, const Primitive& primitive, cons
     Draw draw;
     draw.plan = plan;
     draw.isMasked = plan.permutation.alpha == Alpha::Mask;
-    draw.triangles = primitive.indices.size() / 3;
     draw.vertices = countDifferent(primitive.indices);
     draw.vertexBytes = vertexBytes(primitive, plan);
     const std::vector<Sampled> textures = texturesOf(m_frame.scene, primitive, plan);
@@ -151,7 +150,6 @@ void DrawCounter::addSkybox() {
     draw.shaded = m_raster.drawBackground();
     draw.covered = {along(m_frame.width) * along(m_frame.height),
                     along((m_frame.width + 1) / 2) * along((m_frame.height + 1) / 2)};
-    draw.triangles = 1;
     draw.vertices = 3;
     draw.tileVertices = 3 * tilesAlong(m_frame.width) * tilesAlong(m_frame.height);
     draw.vertexBytes = 12;

@@ -31,10 +31,9 @@ struct TexelBytes {
 struct Draw {
     franken::MaterialPlan plan; ///< Of a surface.
     bool isSkybox = false;
-    bool isMasked = false; ///< Pixels may be discarded.
-    Shaded shaded;         ///< With an early test against what has left its depth.
-    Shaded covered;        ///< Without one.
-    std::size_t triangles = 0;
+    bool isMasked = false;    ///< Pixels may be discarded.
+    Shaded shaded;            ///< With an early test against what has left its depth.
+    Shaded covered;           ///< Without one.
     std::size_t vertices = 0; ///< That the coordinate shader runs for: each of the mesh once.
     std::size_t tileVertices =
         0;               ///< That the vertex shader runs for: in each tile, those of its triangles once.

@@ -28,12 +28,6 @@ ProgramCosts ProgramCosts::open() {
     return costs;
 }
 
-ProgramCosts ProgramCosts::tablesOnly() {
-    ProgramCosts costs;
-    costs.m_whyNot = "they were not asked for";
-    return costs;
-}
-
 Result<std::vector<ProgramCost>> ProgramCosts::of(const cli::Gpu& gpu, std::span<const Permutation> programs,
                                                   const SnippetSet& snippets) const {
     std::vector<ProgramCost> costs;

@@ -37,8 +37,6 @@ class ProgramCosts {
 public:
     /// Looks for the compilers (cli::QpuCompiler::open).
     static ProgramCosts open();
-    /// With the table and the price list alone.
-    static ProgramCosts tablesOnly();
 
     /// Why the compilers are not used; empty where they are.
     const std::string& whyNotCompiled() const { return m_whyNot; }

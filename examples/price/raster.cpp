@@ -127,7 +127,6 @@ Footprint Raster::draw(const std::array<glm::dvec4, 3>& corners, Faces faces, Hi
     }
     std::sort(m_tiles.begin(), m_tiles.end());
     m_tiles.erase(std::unique(m_tiles.begin(), m_tiles.end()), m_tiles.end());
-    footprint.isBinned = !m_tiles.empty();
     return footprint;
 }
 

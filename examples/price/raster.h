@@ -38,10 +38,9 @@ enum class Hides {
 
 /// What one triangle costs.
 struct Footprint {
-    Shaded shaded;         ///< Not hidden by what was drawn before.
-    Shaded covered;        ///< All of it: what is shaded where no depth is tested early.
-    double area = 0;       ///< On the screen, after clipping, pixels.
-    bool isBinned = false; ///< It faces the right way and reaches the target.
+    Shaded shaded;   ///< Not hidden by what was drawn before.
+    Shaded covered;  ///< All of it: what is shaded where no depth is tested early.
+    double area = 0; ///< On the screen, after clipping, pixels.
 };
 
 /// Counts the pixels that are shaded, by GL's rules: pixels whose centre is inside (of a common edge, one
@@ -61,9 +60,6 @@ public:
 
     /// The tiles that the last triangle reaches, by number, row by row; valid until the next one.
     std::span<const int> tiles() const { return m_tiles; }
-
-    int width() const { return m_width; }
-    int height() const { return m_height; }
 
 private:
     struct Window { ///< Corners in the window: x and y in 1/256 pixel, depth 0 to 1.

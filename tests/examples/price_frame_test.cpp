@@ -70,7 +70,6 @@ TEST(PriceFrame, LayersAreSortedAsTheRendererSortsThem) {
     ASSERT_TRUE(counts);
     ASSERT_EQ(counts->draws.size(), 3u);
     EXPECT_EQ(pixelsOf(shadedOf(*counts, EarlyDepth::Always)), kSize * kSize);
-    EXPECT_EQ(counts->draws[0].triangles, 2u);
     EXPECT_EQ(counts->draws[0].vertices, 4u);
     EXPECT_EQ(counts->draws[0].tileVertices, 4u) << "one tile";
 }
