@@ -125,6 +125,7 @@ Result<void> SdlWindow::bind() {
 
 Result<void> SdlWindow::finishFrame() {
     m_sdl.GL_SwapWindow(m_window);
+    m_wantsFrame = false;
     m_state = SurfaceState::Busy;
     return {};
 }
@@ -134,6 +135,8 @@ SurfaceEvents SdlWindow::dispatch() {
     for (SDL_Event event; m_sdl.PollEvent(&event) != 0;)
         if (event.type == SDL_QUIT)
             events.closeRequested = true;
+        else if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_EXPOSED)
+            m_wantsFrame = true;
     Size size;
     m_sdl.GL_GetDrawableSize(m_window, &size.width, &size.height);
     events.layoutChanged = size != std::exchange(m_size, size);

@@ -86,6 +86,8 @@ std::string toPrometheus(const Statistics& s) {
     writer.gauge("models_broken", "Models that are skipped because they cannot be read.",
                  static_cast<double>(s.modelsBroken));
     writer.counter("models_shown_total", "Models that were shown.", static_cast<double>(s.modelsShown));
+    writer.counter("programs_linked_total", "Shader programs that were linked.",
+                   static_cast<double>(s.programs));
     writer.counter("shader_compiles_total", "Shaders that were compiled.", static_cast<double>(s.compiles));
     writer.gauge("fallback_programs", "Programs that were replaced by simpler ones.",
                  static_cast<double>(s.fallbacks));
@@ -116,7 +118,8 @@ std::vector<std::string> toLines(const Statistics& s) {
     return {format("frame  %.1f ms  95%% %.1f  99%% %.1f  late %llu", milliseconds(50), milliseconds(95),
                    milliseconds(99), static_cast<unsigned long long>(s.frames.late())),
             format("models  %zu  broken %zu", s.models, s.modelsBroken),
-            format("compiles  %llu  simpler %zu", static_cast<unsigned long long>(s.compiles), s.fallbacks),
+            format("programs  %llu  compiles %llu  simpler %zu", static_cast<unsigned long long>(s.programs),
+                   static_cast<unsigned long long>(s.compiles), s.fallbacks),
             format("GPU  %.0f of %.0f MiB  CMA free %s", s.gpuBytes / kMebi, s.gpuBudgetBytes / kMebi,
                    optionalText("%.0f MiB", mebibytes(s.freeContiguousBytes)).c_str()),
             "RSS  " + optionalText("%.0f MiB", mebibytes(s.residentBytes)),

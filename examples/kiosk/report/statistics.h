@@ -17,7 +17,7 @@ struct Statistics {
     std::string state; ///< "drawing", "blanked", ...
     std::uint64_t modelsShown = 0;
     std::size_t models = 0, modelsBroken = 0;
-    std::uint64_t compiles = 0;
+    std::uint64_t programs = 0, compiles = 0; ///< Linked, and shaders compiled, since the start.
     std::size_t fallbacks = 0;
     double gpuBytes = 0, gpuBudgetBytes = 0;
     std::optional<double> residentBytes, freeContiguousBytes, celsius;

@@ -230,6 +230,7 @@ void Stage::keepPrograms() {
 }
 
 void Stage::report(Statistics& statistics) {
+    statistics.programs = m_renderer.programCounters().links;
     statistics.compiles = m_renderer.programCounters().compiles;
     statistics.fallbacks = m_renderer.fallbacks().size();
     statistics.gpuBytes = static_cast<double>(m_renderer.memory().used());

@@ -160,8 +160,8 @@ public:
     SurfaceState state() const { return m_state; }
 
     /// Whether the screen needs a frame although nothing moved: it shows none yet, or not this one's any more
-    /// (after another mode, another master, a blanking, a reset). Draw it once the state is Ready. A surface
-    /// without a screen never does.
+    /// (after another mode, another master, a blanking, a reset; a window that was covered). Draw it once the
+    /// state is Ready. A surface in memory never does.
     bool wantsFrame() const { return m_wantsFrame; }
 
     /// A description of the state, for people: the screen, its mode and format; the reason for waiting; or
