@@ -154,8 +154,10 @@ void Kiosk::surfaceReadable() {
         m_pace.shown(Time(events.completed->nanoseconds));
         m_frameTimes.add(m_frameWork, events.completed->missed);
         if (m_takesScreenshot || m_beats)
-            if (const std::shared_ptr<platform::HeldPicture> shown = m_surface->holdShown())
-                givePicture([shown] { return imageOf(shown->read()); });
+            if (std::shared_ptr<platform::HeldPicture> shown = m_surface->holdShown()) // Until it is copied.
+                givePicture([shown = std::move(shown)]() mutable {
+                    return imageOf(std::exchange(shown, nullptr)->read());
+                });
     }
     if (events.contextReplaced) {
         m_show->contextLost();
@@ -287,9 +289,9 @@ void Kiosk::noteCopies() {
         m_beats = !m_beat.runs();
     }
     if ((m_takesScreenshot || m_beats) && !canHold())
-        givePicture([picture = m_show->stage()->renderer().readPixels(m_show->stage()->target())] {
-            return picture;
-        });
+        givePicture(
+            [picture = std::make_shared<const Result<franken::Image>>(
+                 m_show->stage()->renderer().readPixels(m_show->stage()->target()))] { return *picture; });
 }
 
 void Kiosk::givePicture(const PictureSource& picture) {

@@ -249,7 +249,8 @@ void addPrice(CLI::App& app, Options& options) {
     app.add_flag("--measure", options.measure,
                  "On a Raspberry Pi, with --backend egl: times the picture as well, and prints measured "
                  "beside predicted")
-        ->needs(price);
+        ->needs(price)
+        ->excludes("--json");
 }
 
 void checkStrip(const Options& options) {

@@ -315,6 +315,33 @@ TEST_F(KmsScreenTest, ABadLinkIsSetAgain) {
     EXPECT_EQ(device.modesets, 2);
 }
 
+TEST_F(KmsScreenTest, AFrameThatWaitsIsShownAfterAPlug) {
+    open();
+    device.errors = {-EBUSY};
+    screen->present(11, now);
+    ASSERT_EQ(screen->state(), SurfaceState::Recovering);
+    screen->update(now);
+    pass(1s);
+    EXPECT_TRUE(flip(1)) << screen->status();
+    EXPECT_EQ(screen->shown(), 11u);
+    screen->present(12, now);
+    flip(2);
+    EXPECT_EQ(buffers.released, (std::vector<std::uint32_t>{11})) << "a buffer is lost";
+}
+
+TEST_F(KmsScreenTest, AnotherOutputIsSetEvenToTheSameMode) {
+    device.addOutput(device.resources.connectors[0].modes);
+    open();
+    screen->present(11, now);
+    flip(1);
+    device.resources.connectors[0].connection = Connection::Disconnected;
+    screen->update(now);
+    ASSERT_EQ(screen->state(), SurfaceState::Ready) << screen->status();
+    EXPECT_TRUE(screen->wantsFrame()) << "a still picture would not come to it";
+    screen->present(12, now);
+    EXPECT_EQ(device.modesets, 2);
+}
+
 TEST_F(KmsScreenTest, WantsAFrameAtTheStartAndAfterAResetOrABlanking) {
     open();
     EXPECT_TRUE(screen->wantsFrame());

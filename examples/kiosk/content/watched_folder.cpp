@@ -2,6 +2,7 @@
 #include "kiosk/content/watched_folder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace kiosk {
 
@@ -70,9 +71,17 @@ void WatchedFolder::rescan() {
         std::error_code error;
         return !fs::exists(folder, error);
     });
+    const std::multimap<int, fs::path> before = std::exchange(m_folders, {});
     watch(m_folder);
     for (const fs::directory_entry& entry : foldersIn())
         watch(entry.path());
+    for (const auto& entry : before) { // Links may be gone, or lead to other folders.
+        const auto [first, last] = m_folders.equal_range(entry.first);
+        if (std::find(first, last, entry) == last)
+            forgetWriting(entry.second);
+        if (first == last)
+            m_inotify.unwatch(entry.first);
+    }
 }
 
 /// But for a link to the folder itself, in which all models would be once more.
@@ -91,8 +100,10 @@ bool WatchedFolder::present() const {
 }
 
 bool WatchedFolder::handle(const inotify_event& event, std::vector<fs::path>& changed) {
-    if ((event.mask & IN_Q_OVERFLOW) != 0)
+    if ((event.mask & IN_Q_OVERFLOW) != 0) {
+        m_beingWritten.clear(); // What was closed meanwhile will not be heard of again.
         return true;
+    }
     const auto [first, last] = m_folders.equal_range(event.wd);
     if (first == last)
         return false;
@@ -104,15 +115,26 @@ bool WatchedFolder::handle(const inotify_event& event, std::vector<fs::path>& ch
         return true;
     for (auto folder = first; folder != last; ++folder)
         note(event.len == 0 ? folder->second : folder->second / event.name, event.mask, changed);
-    return false;
+    return event.len != 0 && isFolderName(first->second / event.name);
+}
+
+/// A link to a folder comes and goes as a file does, and so does the name of one that is watched.
+bool WatchedFolder::isFolderName(const fs::path& path) const {
+    std::error_code error;
+    return fs::is_directory(path, error) ||
+           std::any_of(m_folders.begin(), m_folders.end(),
+                       [&path](const auto& entry) { return entry.second == path; });
 }
 
 /// What was being written there may be complete when it is seen again.
+void WatchedFolder::forgetWriting(const fs::path& folder) {
+    std::erase_if(m_beingWritten, [&folder](const fs::path& file) { return file.parent_path() == folder; });
+}
+
 void WatchedFolder::forget(int watch) {
     const auto [first, last] = m_folders.equal_range(watch);
     for (auto folder = first; folder != last; ++folder)
-        std::erase_if(m_beingWritten,
-                      [&](const fs::path& file) { return file.parent_path() == folder->second; });
+        forgetWriting(folder->second);
     m_inotify.unwatch(watch);
     m_folders.erase(first, last);
 }

@@ -39,6 +39,8 @@ private:
     bool handle(const inotify_event& event, std::vector<std::filesystem::path>& changed);
     void note(const std::filesystem::path& path, std::uint32_t events,
               std::vector<std::filesystem::path>& changed);
+    bool isFolderName(const std::filesystem::path& path) const;
+    void forgetWriting(const std::filesystem::path& folder);
     void forget(int watch);
     std::vector<std::filesystem::directory_entry> foldersIn() const;
 

@@ -196,9 +196,11 @@ bool Show::moves(Time now) const {
     const Time end = m_transition.end();
     const Transition::Phase phase = m_transition.phase();
     const bool isFading = phase == Transition::Phase::FadingIn || phase == Transition::Phase::FadingOut;
-    const bool isDue = end.count() != 0 && now >= end && (m_stage->hasNext() || !m_mayPreload);
+    const bool isDue = end.count() != 0 && now >= end &&
+                       (m_stage->hasNext() || (!m_mayPreload && m_content->following(m_before)));
+    const bool isFilling = m_stage->shown() == nullptr && m_content->isReading(); // The bar.
     const bool wanders = !m_stage->labels().areEmpty() && wander(now, m_config.show.pixelShift) != m_shift;
-    return isFading || isDue || wanders || m_transition.leaves() ||
+    return isFading || isDue || isFilling || wanders || m_transition.leaves() ||
            (m_stage->hasNext() && (phase == Transition::Phase::Empty || m_transition.isAsked())) ||
            (m_stage->shown() != nullptr && m_stage->shown()->view.moves());
 }

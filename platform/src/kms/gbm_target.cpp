@@ -140,6 +140,7 @@ void GbmTarget::dropTarget() {
 }
 
 Result<void> GbmTarget::bind() {
+    releaseUnheld(); // Before the driver chooses the buffer that is drawn to.
     if (!eglMakeCurrent(m_display, m_window, m_window, m_context))
         return lastEglError("eglMakeCurrent", "destroy or release the surface in the thread that uses it");
     return {};
@@ -148,8 +149,12 @@ Result<void> GbmTarget::bind() {
 void GbmTarget::unbind() { eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
 
 Result<std::uint32_t> GbmTarget::swap() {
-    releaseUnheld();
-    if (Result<void> swapped = swapEglBuffers(m_display, m_window); !swapped)
+    Result<void> swapped = swapEglBuffers(m_display, m_window);
+    // EGL_BAD_ALLOC: there was no memory for the buffer that a held picture takes.
+    m_wantsFrame = !swapped && takeBack();
+    if (m_wantsFrame)
+        swapped = swapEglBuffers(m_display, m_window);
+    if (!swapped)
         return swapped.error();
     gbm_bo* buffer = gbm_surface_lock_front_buffer(m_surface);
     if (buffer == nullptr)
@@ -202,6 +207,17 @@ void GbmTarget::releaseUnheld() {
     std::erase_if(m_held, [](const auto& entry) { return entry.second.expired(); });
     for (const std::uint32_t framebuffer : std::exchange(m_toRelease, {}))
         release(framebuffer);
+}
+
+bool GbmTarget::takeBack() {
+    const std::set<std::uint32_t> taken = std::exchange(m_toRelease, {});
+    for (const std::uint32_t framebuffer : taken) {
+        if (const std::shared_ptr<HeldBuffer> held = m_held[framebuffer].lock())
+            held->revoke();
+        m_held.erase(framebuffer);
+        release(framebuffer);
+    }
+    return !taken.empty();
 }
 
 } // namespace franken::platform

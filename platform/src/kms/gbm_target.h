@@ -33,6 +33,8 @@ public:
     Result<std::uint32_t> swap();
     /// Keeps that framebuffer from being drawn to, if it is the target's, until the last owner lets it go.
     std::shared_ptr<HeldPicture> hold(std::uint32_t framebuffer);
+    /// The last frame was lost for want of a buffer, and an older picture is shown in its place.
+    bool wantsFrame() const { return m_wantsFrame; }
     int samples() const { return m_samples; }
     /// Counts the targets, so that a frame can be told from one for an older target.
     int generation() const { return m_generation; }
@@ -44,6 +46,8 @@ private:
     Result<EGLConfig> chooseConfig(std::uint32_t fourcc, int samples) const;
     void dropTarget();
     void releaseUnheld();
+    /// Takes from their holders what is not shown any more; false where they have nothing.
+    bool takeBack();
     Result<std::uint32_t> framebufferOf(gbm_bo* buffer);
 
     KmsDevice& m_device;
@@ -58,6 +62,7 @@ private:
     std::map<std::uint32_t, gbm_bo*> m_locked; ///< By framebuffer.
     std::map<std::uint32_t, std::weak_ptr<HeldBuffer>> m_held;
     std::set<std::uint32_t> m_toRelease; ///< Once nobody holds them.
+    bool m_wantsFrame = false;
     std::shared_ptr<std::mutex> m_mapping = std::make_shared<std::mutex>();
 };
 

@@ -158,7 +158,7 @@ void KmsSurface::reopen() {
 void KmsSurface::takeOver() {
     m_state = m_screen->state();
     m_status = m_screen->status();
-    m_wantsFrame = m_screen->wantsFrame();
+    m_wantsFrame = m_screen->wantsFrame() || m_target->wantsFrame();
     m_failure = m_screen->failure();
     arm(m_timer, m_screen->deadline());
     if (m_screen->layoutCount() == 0)

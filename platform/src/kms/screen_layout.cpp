@@ -54,8 +54,10 @@ void KmsScreen::configure(Nanoseconds now) {
                                                  ? "no screen is connected to " + name
                                                  : connector->name + ": no CRTC is free for it");
     }
-    if (!m_pipe || m_pipe->connector.id != pipe->connector.id)
+    if (!m_pipe || m_pipe->connector.id != pipe->connector.id) {
         m_step = 0;
+        m_needsModeset = true; // Another output shows nothing yet, although its layout may be the same.
+    }
     if (isLinkBad(pipe->connector))
         m_needsModeset = true;
     if (!chooseLayout(m_resources, *pipe, now))
@@ -65,8 +67,12 @@ void KmsScreen::configure(Nanoseconds now) {
     m_deadline.reset();
     if (m_blanking != m_applied)
         return applyBlanking(now);
-    if (m_applied == Blanking::None)
-        readyOrHeld(now);
+    if (m_applied != Blanking::None)
+        return;
+    if (m_waiting == 0)
+        return readyOrHeld(now);
+    m_deadline = now + period(); // tick() shows it: whoever drew it takes it for shown.
+    enter(SurfaceState::Busy, sentence());
 }
 
 bool KmsScreen::chooseLayout(const KmsResources& resources, const KmsPipe& pipe, Nanoseconds now) {

@@ -95,7 +95,8 @@ public:
 
     /// Copies it, in any thread, without GL and without waiting for a frame; takes tens of milliseconds for a
     /// full screen of a Raspberry Pi. Fails with `surface.picture` where the driver does not let it be read,
-    /// or where its buffers are gone by now: after another mode, another device, or the surface's end.
+    /// or where its buffers are gone by now: after another mode, another device, the surface's end, or where
+    /// there was too little memory to draw the next frame without it.
     virtual Result<ScreenPicture> read() = 0;
 };
 
