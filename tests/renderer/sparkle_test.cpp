@@ -301,6 +301,13 @@ TEST_P(WidenedModels, ATextureIsThereForEachNormalMapBesideIt) {
         scene.instances.back().mesh = static_cast<int>(scene.meshes.size()) - 1;
     }
     EXPECT_EQ(bytesOf(scene), 6 * kBytes) << "two normal maps, and four roughness textures";
+    // Some files have a texture for each material, and one image for all of them.
+    for (Material& material : scene.materials) {
+        TextureRef& roughness = material.textures[TextureRole::MetallicRoughness];
+        scene.textures.push_back(scene.textures[static_cast<std::size_t>(roughness.texture)]);
+        roughness.texture = static_cast<int>(scene.textures.size()) - 1;
+    }
+    EXPECT_EQ(bytesOf(scene), 7 * kBytes) << "for all others as it is in the file";
 }
 
 TEST_P(WidenedModels, LookTheSameInStepsAndAfterALostContext) {

@@ -75,9 +75,9 @@ void bindTextures(GpuMaterial& material, const GpuScene& gpu, const DefaultTextu
     for (std::size_t unit = 0; unit < kUsedTextureUnits; ++unit) {
         const int texture = material.plan.textures[unit];
         material.textures[unit] =
-            texture == kNone ? defaults.at(unit)
-                             : gpu.textures[gpu.textureFor(useOf(material.plan, material.plan.factors, unit))]
-                                   .texture.name();
+            texture == kNone
+                ? defaults.at(unit)
+                : gpu.textures[gpu.textureFor(useOf(material.plan, material.inMips, unit))].texture.name();
     }
 }
 

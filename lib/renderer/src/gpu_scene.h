@@ -43,6 +43,7 @@ struct GpuMaterial {
     DrawState state;
     bool doubleSided, blended;
     UniformBlock<MaterialBlock> block;
+    MaterialFactors inMips = {};     ///< Those that mips of roughness were made with, whatever they are now.
     bool isPacked = false;           ///< The block is that of the plan, in the current light and look.
     ProgramHandle program = nullptr; ///< In the current light and look; null where none can be had.
 };

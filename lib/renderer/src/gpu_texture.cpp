@@ -144,7 +144,8 @@ Result<TextureUpload> TextureUpload::begin(Device& device, TextureData data) {
         return noObject("texture");
     bind(device.gl, GL_TEXTURE_2D, name, data.sampling());
     const Image& whole = data.level(0);
-    GpuTexture texture{std::move(name), *std::move(lease), {whole.width, whole.height}, data.contents()};
+    GpuTexture texture{
+        std::move(name), *std::move(lease), {whole.width, whole.height}, data.contents(), data.levels() > 1};
     return TextureUpload(std::move(texture), std::move(data));
 }
 

@@ -27,6 +27,7 @@ struct GpuTexture {
     MemoryLease memory;
     TextureSize size{0, 0};
     TextureContents contents = TextureContents::Color;
+    bool hasMips = false;
 };
 
 /// How what is neither tiled nor minified is sampled.

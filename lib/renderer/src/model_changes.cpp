@@ -125,6 +125,7 @@ Result<void> Models::setMaterial(ModelId id, int index, const Material& values) 
                      "nothing was changed: pass another value"};
     Material& current = outline.materials[static_cast<std::size_t>(index)];
     const bool factorsAlone = differInFactorsAlone(current, values);
+    const bool isRetextured = current.textures != values.textures;
     if (model->gpu && !factorsAlone)
         if (Result<void> loaded = checkLoaded(*model, index, values); !loaded)
             return loaded;
@@ -133,8 +134,11 @@ Result<void> Models::setMaterial(ModelId id, int index, const Material& values) 
     if (!model->gpu)
         return {};
     for (GpuMaterial& material : model->gpu->materials)
-        if (material.material == index)
+        if (material.material == index) {
+            if (isRetextured)
+                material.inMips = values.factors;
             factorsAlone ? replaceFactors(material, outline) : replan(material, *model);
+        }
     return {};
 }
 

@@ -120,7 +120,7 @@ void Models::setAnisotropy(float anisotropy) {
         if (model->gpu->anisotropy == anisotropy)
             continue;
         for (const GpuTexture& texture : model->gpu->textures)
-            if (texture.texture)
+            if (texture.texture && texture.hasMips)
                 franken::setAnisotropy(m_device.gl, texture, anisotropy);
         model->gpu->anisotropy = anisotropy;
         m_device.state.invalidate();

@@ -9,7 +9,7 @@
 namespace franken {
 namespace {
 
-/// So many copies of a roughness texture beside different normal maps, and so many scales of a normal map: a
+/// So many copies of a roughness image beside different normal maps, and so many scales of a normal map: a
 /// file may name any number. What is beyond has the mips of another copy, or of the file.
 constexpr int kMostWidened = 4;
 
@@ -70,11 +70,14 @@ private:
                         .blended = false,
                         .block = {}};
         planMaterial(gpu, m_outline, m_log);
-        // Those of the scene, not what they are by now: mips stay as they are through a lost context.
-        const MaterialFactors& factors = m_scene.materials[static_cast<std::size_t>(material)].factors;
+        // Those of the scene, not what they are by now: mips stay as they are through a lost context. Those
+        // of now beside other textures, which setMaterial() has set with them.
+        const auto index = static_cast<std::size_t>(material);
+        const bool isAsAdded = m_outline.materials[index].textures == m_scene.materials[index].textures;
+        gpu.inMips = (isAsAdded ? m_scene : m_outline).materials[index].factors;
         for (std::size_t unit = 0; unit < kUsedTextureUnits; ++unit)
             if (gpu.plan.textures[unit] != kNone)
-                addTexture(useOf(gpu.plan, factors, unit), unit);
+                addTexture(useOf(gpu.plan, gpu.inMips, unit), unit);
         m_gpu.materials.push_back(std::move(gpu));
         return m_gpu.materials.size() - 1;
     }
@@ -103,9 +106,16 @@ private:
         const Texture& source = textureAt(use.texture);
         const Image& image = m_scene.images[static_cast<std::size_t>(source.image)];
         SampledImage sampled{&image, source, findRoleAt(unit)->contents};
-        if (widened) // The normal map has a lower unit, and so is there already.
+        if (widened) { // The normal map has a lower unit, and so is there already.
+            std::size_t& copies = m_copies[sampled];
             sampled.widening = {m_gpu.textureOf.at({.texture = use.normals}), use.scale, use.factor,
                                 use.channel};
+            // Many textures of a file may have one image.
+            if (!m_textures.contains(sampled) && copies++ >= std::size_t{kMostWidened}) {
+                use = {.texture = use.texture};
+                sampled.widening = {};
+            }
+        }
         const auto [known, isNew] = m_textures.try_emplace(sampled, m_plan.textures.size());
         if (isNew)
             m_plan.textures.push_back({sampled, findRoleAt(unit)->defaultTexel});
@@ -120,6 +130,7 @@ private:
     MapOfGeometry m_meshes;                 ///< To ScenePlan::meshes.
     std::vector<VertexContents> m_contents; ///< By mesh.
     MapOfSampledImages m_textures;          ///< To ScenePlan::textures.
+    MapOfSampledImages m_copies; ///< How many there are beside normal maps, by what is in the file.
 };
 
 } // namespace
