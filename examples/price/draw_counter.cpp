@@ -35,7 +35,7 @@ std::vector<Sampled> texturesOf(const Scene& scene, const Primitive& primitive, 
         const TextureRef& ref = material.textures[role.role];
         const Texture& texture = scene.textures[static_cast<std::size_t>(ref.texture)];
         const Image& image = scene.images[static_cast<std::size_t>(texture.image)];
-        const double stretch = std::abs(static_cast<double>(glm::determinant(glm::mat2(ref.transform))));
+        const double stretch = std::abs(glm::determinant(glm::dmat2(glm::mat2(ref.transform))));
         textures.push_back({&primitive.uv[static_cast<std::size_t>(ref.uvSet)],
                             stretch * image.width * image.height, texture.minFilter});
     }
@@ -69,20 +69,16 @@ int vertexBytes(const Primitive& primitive, const MaterialPlan& plan) {
            (primitive.colors.empty() ? 0 : kColor) + (plan.permutation.influences > 0 ? kJoints : 0);
 }
 
-/// Wholly outside of one of the six planes of the view.
-bool isBesideTheView(const std::vector<glm::dvec4>& places) {
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double side : {-1.0, 1.0})
-            if (std::all_of(places.begin(), places.end(),
-                            [&](const glm::dvec4& place) { return side * place[axis] > place.w; }))
-                return true;
-    return false;
+template<typename Value>
+void keepDifferent(std::vector<Value>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
 template<typename Value>
 std::size_t countDifferent(std::vector<Value> values) {
-    std::sort(values.begin(), values.end());
-    return static_cast<std::size_t>(std::unique(values.begin(), values.end()) - values.begin());
+    keepDifferent(values);
+    return values.size();
 }
 
 /// As the pixels of the picture's middle see it: texels of a face under a pixel.
@@ -103,6 +99,15 @@ Faces turned(Faces faces) {
 
 } // namespace
 
+bool isBesideTheView(std::span<const glm::dvec4> places) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {-1.0, 1.0})
+            if (std::all_of(places.begin(), places.end(),
+                            [&](const glm::dvec4& place) { return side * place[axis] > place.w; }))
+                return true;
+    return false;
+}
+
 void DrawCounter::add(const Instance& instance, const Primitive& primitive, const MaterialPlan& plan,
                       Faces faces) {
     const glm::dmat4 toClip = m_frame.viewpoint.viewProjection * instance.world;
@@ -122,6 +127,7 @@ void DrawCounter::add(const Instance& instance, const Primitive& primitive, cons
         draw.lookups += lookupsOf(texture.filter);
     const Hides hides = plan.permutation.alpha == Alpha::Opaque ? Hides::Behind : Hides::Nothing;
     std::vector<std::uint64_t> tileVertices;
+    std::size_t room = std::size_t{1} << 20U; // Of 64-bit numbers, before those that are there twice go.
     for (std::size_t i = 0; i + 2 < primitive.indices.size(); i += 3) {
         const Corners corners = {primitive.indices[i], primitive.indices[i + 1], primitive.indices[i + 2]};
         const Footprint footprint =
@@ -135,6 +141,10 @@ void DrawCounter::add(const Instance& instance, const Primitive& primitive, cons
         for (const int tile : m_raster.tiles())
             for (const std::uint32_t vertex : corners)
                 tileVertices.push_back(static_cast<std::uint64_t>(tile) << 32U | vertex);
+        if (tileVertices.size() > room) {
+            keepDifferent(tileVertices);
+            room = std::max(room, 2 * tileVertices.size());
+        }
     }
     draw.tileVertices = countDifferent(std::move(tileVertices));
     m_counts.draws.push_back(std::move(draw));

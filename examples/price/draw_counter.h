@@ -5,6 +5,9 @@
 
 namespace price {
 
+/// Whether points in clip space lie wholly outside of one of the six planes of the view.
+bool isBesideTheView(std::span<const glm::dvec4> places);
+
 /// Counts the draws of a frame, one after the other.
 class DrawCounter {
 public:

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <tuple>
@@ -31,6 +32,17 @@ glm::dvec3 centreOf(const Object& object) {
     return glm::dvec3(object.instance->world * glm::dvec4(0.5 * (box.min + box.max), 1));
 }
 
+/// Its box, as the renderer asks: what is not drawn is not sorted either.
+bool isBeside(const FrameContents& frame, const Instance& instance, const Box& box) {
+    const glm::dmat4 toClip = frame.viewpoint.viewProjection * instance.world;
+    std::array<glm::dvec4, 8> corners;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        corners[i] =
+            toClip * glm::dvec4((i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+                                (i & 4U) != 0 ? box.max.z : box.min.z, 1);
+    return isBesideTheView(corners);
+}
+
 Result<std::vector<Object>> objectsOf(const FrameContents& frame) {
     std::vector<Object> objects;
     std::vector<Permutation> programs;
@@ -39,6 +51,8 @@ Result<std::vector<Object>> objectsOf(const FrameContents& frame) {
             continue;
         for (const Primitive& primitive :
              frame.scene.meshes[static_cast<std::size_t>(instance.mesh)].primitives) {
+            if (isBeside(frame, instance, primitive.bounds))
+                continue;
             Object object{&instance, &primitive, {}};
             object.plan = planMaterial(frame.scene, primitive.material, contentsOf(primitive));
             const Result<Permutation> program = permutationOf(object.plan, frame.lighting, frame.look);

@@ -32,15 +32,21 @@ Polygon clipped(const Polygon& polygon, Distance distance) {
     return inside;
 }
 
-/// Between the near and the far plane; beside the target nothing need be cut off.
-Polygon clippedInDepth(const std::array<glm::dvec4, 3>& corners) {
-    const auto nearness = [](const glm::dvec4& p) { return p.w + p.z; };
-    const auto farness = [](const glm::dvec4& p) { return p.w - p.z; };
-    const bool isInside = std::all_of(corners.begin(), corners.end(), [&](const glm::dvec4& corner) {
-        return nearness(corner) >= 0 && farness(corner) >= 0;
-    });
+/// Between the near and the far plane, and so far beside the target that toSubpixels() has room for it.
+Polygon clippedToReach(const std::array<glm::dvec4, 3>& corners) {
+    constexpr double kReach = 64; // Halves of the largest target: 532,480 pixels.
     Polygon polygon(corners.begin(), corners.end());
-    return isInside ? polygon : clipped(clipped(polygon, nearness), farness);
+    const auto cut = [&polygon](const auto& distance) {
+        if (!std::all_of(polygon.begin(), polygon.end(),
+                         [&](const glm::dvec4& p) { return distance(p) >= 0; }))
+            polygon = clipped(polygon, distance);
+    };
+    cut([](const glm::dvec4& p) { return p.w + p.z; });
+    cut([](const glm::dvec4& p) { return p.w - p.z; });
+    for (int axis = 0; axis < 2; ++axis)
+        for (const double side : {-1.0, 1.0})
+            cut([axis, side](const glm::dvec4& p) { return kReach * p.w - side * p[axis]; });
+    return polygon;
 }
 
 std::int64_t toSubpixels(double pixels) {
@@ -90,6 +96,24 @@ struct Edge {
     std::int64_t dx, dy, bias;
 };
 
+/// Of these columns, those where a pixel of the rows y and y + 1 can be inside of all edges.
+Range columnsInside(const std::array<Edge, 3>& edges, int y, const Range& columns) {
+    double begin = columns.begin, end = columns.end;
+    for (const Edge& edge : edges) {
+        const auto crossing = [&edge](int row) { // Of the edge with the row's centres, pixels.
+            const double above = (row + 0.5) * kSubpixels - static_cast<double>(edge.origin[1]);
+            const double slope = static_cast<double>(edge.dx) / static_cast<double>(edge.dy);
+            return (static_cast<double>(edge.origin[0]) + above * slope) / kSubpixels;
+        };
+        if (edge.dy > 0) // One column to spare, for rounding.
+            end = std::min(end, std::max(crossing(y), crossing(y + 1)) + 1);
+        else if (edge.dy < 0)
+            begin = std::max(begin, std::min(crossing(y), crossing(y + 1)) - 1);
+    }
+    return {static_cast<int>(std::min<double>(begin, columns.end)),
+            static_cast<int>(std::ceil(std::max<double>(end, columns.begin)))};
+}
+
 } // namespace
 
 Raster::Raster(int width, int height)
@@ -102,7 +126,7 @@ Raster::Raster(int width, int height)
 Footprint Raster::draw(const std::array<glm::dvec4, 3>& corners, Faces faces, Hides hides) {
     Footprint footprint;
     m_tiles.clear();
-    const Polygon polygon = clippedInDepth(corners);
+    const Polygon polygon = clippedToReach(corners);
     std::vector<Point> points;
     std::vector<double> depths;
     for (const glm::dvec4& p : polygon) {
@@ -151,8 +175,9 @@ void Raster::drawWindow(const Window& triangle, Hides hides, Footprint& footprin
             nearest = rounded;
         return 2;
     };
-    for (int y = rows.begin - rows.begin % 2; y < rows.end; y += 2)
-        for (int x = columns.begin - columns.begin % 2; x < columns.end; x += 2) {
+    for (int y = rows.begin - rows.begin % 2; y < rows.end; y += 2) {
+        const Range within = columnsInside({ab, bc, ca}, y, columns);
+        for (int x = within.begin - within.begin % 2; x < within.end; x += 2) {
             std::size_t covered = 0, shaded = 0;
             for (int row = std::max(y, rows.begin); row < std::min(y + 2, rows.end); ++row)
                 for (int column = std::max(x, columns.begin); column < std::min(x + 2, columns.end);
@@ -164,6 +189,7 @@ void Raster::drawWindow(const Window& triangle, Hides hides, Footprint& footprin
             footprint.covered += {covered, covered > 0 ? std::size_t{1} : 0};
             footprint.shaded += {shaded, shaded > 0 ? std::size_t{1} : 0};
         }
+    }
 }
 
 // A tile that lies wholly on the outer side of an edge is not reached.

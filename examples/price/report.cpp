@@ -15,8 +15,9 @@ constexpr double kFrameAt60Hz = 1000.0 / 60;
 
 template<typename... Values>
 std::string formatted(const char* format, Values... values) {
-    char text[320];
-    std::snprintf(text, sizeof text, format, values...);
+    std::string text(static_cast<std::size_t>(std::max(0, std::snprintf(nullptr, 0, format, values...))),
+                     ' ');
+    std::snprintf(text.data(), text.size() + 1, format, values...);
     return text;
 }
 
@@ -67,8 +68,13 @@ std::string sourceLine(const FramePrice& price) {
         counted[Known::Table], counted[Known::Interpolated], price.whyNotCompiled.c_str());
 }
 
+// What the GPU cannot run is drawn by a simpler program, which is not in the bill.
 const char* verdict(const FrameBill& bill) {
-    return bill.most() <= kFrameAt60Hz ? "yes" : bill.least() > kFrameAt60Hz ? "no" : "perhaps";
+    const bool isWhole = std::all_of(bill.programs.begin(), bill.programs.end(),
+                                     [](const ProgramBill& program) { return program.cost.error.empty(); });
+    if (bill.least() > kFrameAt60Hz)
+        return "no";
+    return !isWhole ? "unknown" : bill.most() <= kFrameAt60Hz ? "yes" : "perhaps";
 }
 
 std::string machineLines(const FramePrice& price) {

@@ -59,6 +59,7 @@ std::string toJson(const FramePrice& price, const SnippetSet& snippets) {
     json["machines"] = Json::array();
     for (const FrameBill& bill : price.bills) {
         Json document = toDocument(bill);
+        document["programs"] = Json::array();
         for (const ProgramBill& program : bill.programs)
             document["programs"].push_back(toDocument(program, snippets));
         json["machines"].push_back(std::move(document));
