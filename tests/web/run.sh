@@ -29,7 +29,7 @@ prepare() {
     flock 9
     cp "$here"/*.mjs "$here"/package*.json "$WORK"
     cmp -s "$here/package-lock.json" "$WORK/node_modules/.made-of" || {
-        (cd "$WORK" && npm ci --silent --no-audit --no-fund)
+        (cd "$WORK" && npm ci --loglevel=error --no-audit --no-fund --no-progress >&2)
         cp "$here/package-lock.json" "$WORK/node_modules/.made-of"
     }
     flock -u 9
